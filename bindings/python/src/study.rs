@@ -65,6 +65,9 @@ fn park<T>(worker: &std::thread::ScopedJoinHandle<'_, T>) {
     }
 }
 
+/// Responses of points, their derivatives, and the codes of what stands against the points.
+type Differentiated = (Py<PyArrayDyn<f64>>, Py<PyArrayDyn<f64>>, Vec<Option<String>>);
+
 /// Responses of points, and the codes of what stands against them.
 type Evaluated = (Py<PyArrayDyn<f64>>, Vec<Option<String>>);
 
@@ -116,6 +119,32 @@ impl Evaluator {
         let found: Vec<f64> = found.map(|value| value.unwrap_or(f64::NAN)).collect();
         let codes = rows.iter().map(|row| row.code.clone()).collect();
         Ok((shaped(py, &[rows.len(), self.responses], found)?, codes))
+    }
+
+    /// Responses (points, responses), their derivatives (points, responses, parameters) at values of
+    /// the parameters, and the codes of what stands against points.
+    fn jacobian(
+        &self,
+        py: Python<'_>,
+        points: &Bound<'_, PyAny>,
+        threads: usize,
+    ) -> PyResult<Differentiated> {
+        let given = values(points, "X")?;
+        let points: Vec<Vec<Number>> =
+            given.chunks_exact(self.whole.len()).map(|point| self.point(point)).collect();
+        let rows = interruptible(
+            py,
+            |_| Ok(()),
+            |stops| self.evaluator.differentiate(&points, threads, stops),
+        )?;
+        let part = |range: fn(&[Option<f64>], usize) -> &[Option<f64>]| -> Vec<f64> {
+            let all = rows.iter().flat_map(|row| range(&row.responses, self.responses));
+            all.map(|value| value.unwrap_or(f64::NAN)).collect()
+        };
+        let (found, rates) = (part(|row, count| &row[..count]), part(|row, count| &row[count..]));
+        let codes = rows.iter().map(|row| row.code.clone()).collect();
+        let shape = [rows.len(), self.responses, self.whole.len()];
+        Ok((shaped(py, &shape[..2], found)?, shaped(py, &shape, rates)?, codes))
     }
 }
 

@@ -91,6 +91,10 @@ pub(crate) struct RunArguments {
     /// model on meshes of half and a quarter of the width.
     #[arg(long)]
     pub error_bars: bool,
+    /// Write JOB.sensitivity.csv: the derivatives of all histories by the numbers that
+    /// *PARAMETER names.
+    #[arg(long, conflicts_with = "restart")]
+    pub sensitivities: bool,
     /// Write the report JOB.html (the default).
     #[arg(long, overrides_with = "no_html")]
     pub html: bool,

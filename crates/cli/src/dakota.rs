@@ -64,7 +64,11 @@ fn answer(
         Failure::Input(said) => said,
         Failure::Output(said) => vec![*said],
     })?;
-    let rows = Evaluator::of(study.study.clone(), deck).evaluate(&[point], 1, &|| false);
+    let evaluator = Evaluator::of(study.study.clone(), deck);
+    let rows = match asked.wants_gradients() {
+        true => evaluator.differentiate(&[point], 1, &|| false),
+        false => evaluator.evaluate(&[point], 1, &|| false),
+    };
     // nobody stops it: there is a row
     Ok(rows.first().map_or_else(|| "FAIL\n".to_owned(), |row| asked.answer(&study, row)))
 }

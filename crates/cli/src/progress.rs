@@ -250,7 +250,10 @@ impl<'a> Progress<'a> {
             Event::Diagnosed(said) if self.mode == Mode::Json => {
                 self.json(&diagnosis(said, self.sources));
             }
-            Event::Diagnosed(_) | Event::Checkpoint(_) | Event::Unconverged(_) => {}
+            Event::Diagnosed(_)
+            | Event::Checkpoint(_)
+            | Event::Unconverged(_)
+            | Event::Sensitivity(_) => {}
             Event::End(_) => self.clear_line(),
         }
         let over = matches!(event, Event::End(_));

@@ -34,6 +34,7 @@ pub(crate) fn run_read(mut read: Read, arguments: &RunArguments) -> Outcome {
     let options = RunOptions {
         folder: arguments.out.clone(),
         restart: arguments.restart,
+        sensitivities: arguments.sensitivities,
         formats: Formats::Own,
         solve: SolveOptions {
             threads: arguments.threads,

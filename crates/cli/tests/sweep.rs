@@ -137,7 +137,7 @@ fn what_is_wrong_is_said_before() {
         (format!("design = \"saltelli\"\ncases = 10\n{STUDY}"), 1, "say cases = 12"),
         (format!("design = \"saltelli\"\ncases = 12\n{STUDY}{CORRELATED}"), 1, "independent"),
         (other("force / (scale", "farce / (scale"), 1, "did you mean force?"),
-        (format!("gradients = true\n{STUDY}"), 1, "SL0809"),
+        (format!("gradients = 1\n{STUDY}"), 1, "SL0809"),
         (format!("design = \"sobol\"\n{STUDY}"), 1, "cases = 1000"),
     ] {
         std::fs::write(folder.join("study.toml"), &study).unwrap();

@@ -253,6 +253,8 @@ catalogue! {
     "SL0807" "a folder with another study"
     "SL0808" "a part of a study that is damaged or missing"
     "SL0809" "gradients of a study"
+    "SL0810" "sensitivities that cannot be had"
+    "SL0811" "a parameter without sensitivities"
     "SL0820" "a question of Dakota that cannot be answered"
     "SL0831" "a mesh that cannot be read"
     "SL0832" "a group that the mesh does not have"

@@ -112,6 +112,8 @@ pub(crate) struct Draft {
     pub initial_stresses: Vec<StressLine>,
     /// Values of names.
     pub parameters: Values,
+    /// Names whose values are numbers that follow from no other.
+    pub numbers: Vec<(String, f64)>,
     /// Values from outside the deck, for names that it defines.
     pub overrides: Overrides,
     pub steps: Vec<StepDraft>,

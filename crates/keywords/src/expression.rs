@@ -27,7 +27,7 @@ impl Value {
     }
 
     #[allow(clippy::cast_precision_loss)] // a double is what Python makes of it, too
-    fn real(&self) -> Result<f64, String> {
+    pub fn real(&self) -> Result<f64, String> {
         match self {
             Self::Whole(number) => Ok(*number as f64),
             Self::Real(number) => Ok(*number),

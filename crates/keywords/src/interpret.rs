@@ -24,6 +24,9 @@ pub struct Interpreted {
     /// Everything there is to say about syntax, cards and the model as a
     /// whole, in the order of the text.
     pub diagnostics: Vec<Diagnostic>,
+    /// Parameters that the deck, or a setting, gives a number that follows from no other parameter:
+    /// names and values, in the order of the text.
+    pub numbers: Vec<(String, f64)>,
 }
 
 /// Reads and interprets a deck in one go.
@@ -76,7 +79,7 @@ pub fn interpret_after(
     let nothing = cards.is_empty();
     let model = finish::finish(&mut draft, stray_history || nothing);
     let diagnostics = together(parsed, draft.log.into_diagnostics());
-    Interpreted { model, diagnostics }
+    Interpreted { model, diagnostics, numbers: draft.numbers }
 }
 
 /// Reads cards until so many steps are closed. Whether cards of a step stand

@@ -25,6 +25,8 @@ pub struct Facts<'a> {
     pub own_texts: usize,
     /// Values that parameters of the deck were given from outside.
     pub parameters: &'a [(String, String)],
+    /// Names of the parameters that the run is differentiated by.
+    pub sensitivities: &'a [String],
     /// The jobs that this one goes on from.
     pub earlier: Option<&'a Earlier>,
     /// Whose formats the files have that more than one program writes.

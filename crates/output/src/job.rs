@@ -24,6 +24,7 @@ const ENDINGS: &[&str] = &[
     ".energy.csv",
     ".element.csv",
     ".beam.csv",
+    ".sensitivity.csv",
     ".json",
     ".pvd",
     ".frd",

@@ -3,6 +3,7 @@
 //! ```text
 //!                     +-> JOB.sta  JOB.msg  JOB.dat
 //!   run -> Writers ---+-> JOB.history.csv  JOB.contact.csv  JOB.pair.csv  JOB.energy.csv  JOB.element.csv  JOB.beam.csv
+//!                     |   JOB.sensitivity.csv
 //!                     +-> JOB_0001.vtu ...  JOB.pvd
 //!                     +-> JOB.json
 //!   these files -> report -> JOB.html      these files -> plot -> svg, png, csv
@@ -56,6 +57,7 @@ pub mod report;
 pub mod restart;
 mod rows;
 mod section;
+mod sensitivity;
 mod sta;
 mod state_numbers;
 mod summary;

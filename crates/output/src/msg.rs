@@ -276,7 +276,7 @@ impl Writer for Msg<'_> {
             Event::Committed(frame) => self.with_file(|text| committed(text, frame)),
             Event::AttemptFailed(attempt) => self.with_file(|text| attempt_failed(text, attempt)),
             Event::Tangent(report) => self.tangent(report),
-            Event::Checkpoint(_) | Event::Unconverged(_) => Ok(()),
+            Event::Checkpoint(_) | Event::Unconverged(_) | Event::Sensitivity(_) => Ok(()),
             Event::Diagnosed(said) => self.with_file(|text| diagnosed(text, said, sources)),
             Event::End(ending) => self.with_file(|text| ended(text, ending)),
         }

@@ -9,7 +9,7 @@ use crate::restart::{self, Saved};
 use crate::rows::Csv;
 use crate::summary::Summary;
 use crate::writer::Writer;
-use crate::{ccx, contact, dat, element, energy, frd, history, msg, pair, sta, vtu};
+use crate::{ccx, contact, dat, element, energy, frd, history, msg, pair, sensitivity, sta, vtu};
 use slideline_measures::NoiseSummary;
 use slideline_solve::Checkpoint;
 use slideline_solve::observe::{Event, Observer, Stop};
@@ -40,6 +40,10 @@ const REGISTRY: &[Kind] = &[
     Kind { name: "energy.csv", make: |job, _| Box::new(Csv::<energy::Energy>::new(job)) },
     Kind { name: "element.csv", make: |job, _| Box::new(Csv::<element::Solids>::new(job)) },
     Kind { name: "beam.csv", make: |job, _| Box::new(Csv::<element::Beams>::new(job)) },
+    Kind {
+        name: "sensitivity.csv",
+        make: |job, facts| Box::new(sensitivity::Sensitivities::new(job, facts)),
+    },
     Kind { name: "frd", make: |job, facts| Box::new(frd::Frd::new(job, facts)) },
     Kind { name: "vtu", make: |job, _| Box::new(vtu::States::new(job)) },
 ];

@@ -177,5 +177,5 @@ fn settings_of(part: &Part) -> Vec<Setting> {
 pub(crate) fn without_meaning(parsed: &Parsed, said: Diagnostic) -> Interpreted {
     let mut diagnostics = parsed.diagnostics.clone();
     diagnostics.push(said);
-    Interpreted { model: Model::default(), diagnostics }
+    Interpreted { model: Model::default(), diagnostics, numbers: Vec::new() }
 }

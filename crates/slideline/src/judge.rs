@@ -35,6 +35,7 @@ fn facts<'a>(
         formats: Formats::default(),
         own_texts: 0,
         parameters: &[],
+        sensitivities: &[],
         earlier: None,
     }
 }

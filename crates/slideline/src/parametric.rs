@@ -5,6 +5,8 @@ use slideline_deck::Parsed;
 use slideline_diag::{Code, Diagnostic, Severity, has_errors};
 use slideline_keywords::{Setting, interpret_with};
 use slideline_model::{Dialect, Model, Onset};
+use slideline_solve::Parameter;
+use std::sync::Arc;
 
 /// A deck whose cards were read, waiting for values.
 #[derive(Clone, Debug)]
@@ -35,6 +37,34 @@ impl Parametric {
     /// [`ReadOptions::parameters`](crate::ReadOptions::parameters). `Err`: the errors.
     pub fn model(&self, settings: &[Setting]) -> Result<Model, Vec<Diagnostic>> {
         self.read(settings).map(|(model, _)| model)
+    }
+
+    /// Names and values of the parameters that are numbers of their own, in the order of the deck.
+    pub fn numbers(&self, settings: &[Setting]) -> Vec<(String, f64)> {
+        interpret_with(settings, &self.parsed, self.dialect).numbers
+    }
+
+    /// Parameters as a run is differentiated by them, each from the values of `settings`. One that is
+    /// zero counts as large at 1, in its own unit.
+    pub fn varied(
+        self: &Arc<Self>,
+        settings: &[Setting],
+        numbers: &[(String, f64)],
+    ) -> Vec<Parameter> {
+        let vary = |(name, value): &(String, f64)| {
+            let (deck, name_of) = (Arc::clone(self), name.clone());
+            let others: Vec<Setting> =
+                settings.iter().filter(|own| own.name != *name).cloned().collect();
+            let model = move |value: f64| {
+                let mut all = others.clone();
+                let value = format!("{value:?}");
+                all.push(Setting { name: name_of.clone(), value, span: None });
+                deck.model(&all).ok()
+            };
+            let scale = if *value == 0.0 { 1.0 } else { value.abs() };
+            Parameter { name: name.clone(), value: *value, scale, model: Arc::new(model) }
+        };
+        numbers.iter().map(vary).collect()
     }
 
     /// The same with everything that reading has to say.

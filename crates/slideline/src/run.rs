@@ -1,6 +1,7 @@
 //! A run with its files.
 
 use crate::read::Read;
+use crate::sensitivities::Chosen;
 use crate::version::VERSION;
 use slideline_advice::Noise;
 use slideline_diag::{Code, Diagnostic, Severity};
@@ -10,8 +11,8 @@ use slideline_output::{
     Facts, Formats, JobFiles, Past, Status, WriteError, Writers, dropped_friction,
     remove_stale_lock,
 };
-use slideline_solve::Checkpoint;
 use slideline_solve::observe::{Ending, Event, Frame, Observer, Stop, Totals};
+use slideline_solve::{Checkpoint, Parameter, Plan, Workspace};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 
@@ -22,6 +23,8 @@ pub struct RunOptions {
     pub folder: Option<PathBuf>,
     /// Go on from `JOB.rst` instead of beginning anew.
     pub restart: bool,
+    /// Write `JOB.sensitivity.csv`: how the histories follow the parameters of the deck.
+    pub sensitivities: bool,
     /// Whose formats the files have that more than one program writes.
     pub formats: Formats,
     /// How the solver works.
@@ -59,6 +62,10 @@ impl Observer for Quiet {
 /// without any text leaves nothing.
 pub fn run(read: &Read, options: &RunOptions, observer: &mut dyn Observer) -> Outcome {
     let files = read.job.files(options.folder.as_deref());
+    let chosen = match chosen(read, options) {
+        Ok(chosen) => chosen,
+        Err(said) => return ended(Status::InputError, files, vec![*said], None),
+    };
     let facts = Facts {
         version: VERSION,
         deck_hash: &read.deck_hash,
@@ -71,6 +78,7 @@ pub fn run(read: &Read, options: &RunOptions, observer: &mut dyn Observer) -> Ou
         },
         own_texts: read.deck.files.len(),
         parameters: &read.options.parameters,
+        sensitivities: &chosen.names,
         earlier: read.from.as_ref().map(|from| &from.earlier),
         formats: options.formats,
     };
@@ -103,7 +111,11 @@ pub fn run(read: &Read, options: &RunOptions, observer: &mut dyn Observer) -> Ou
     };
     let dropped_work = from.map_or(0.0, |from| from.energy().dropped_friction);
     let mut watch = Watch::new(writers, observer, model, dropped_work);
+    watch.tell_all(&chosen.said);
     let ending = match from {
+        None if !chosen.parameters.is_empty() => {
+            differentiated(model, (options, &chosen.parameters), &mut watch)
+        }
         None => Some(slideline_solve::run(model, &options.solve, &mut watch)),
         Some(from) => slideline_solve::run_from(model, &options.solve, from, &mut watch),
     };
@@ -112,6 +124,26 @@ pub fn run(read: &Read, options: &RunOptions, observer: &mut dyn Observer) -> Ou
         // the state was held against the model before
         None => ended(Status::InternalError, files, Vec::new(), None),
     }
+}
+
+/// What the run is differentiated by.
+fn chosen(read: &Read, options: &RunOptions) -> Result<Chosen, Box<Diagnostic>> {
+    match &read.model {
+        Some(model) if options.sensitivities => {
+            Chosen::of(read, model, (&options.solve.user_frictions, options.restart))
+        }
+        _ => Ok(Chosen::none()),
+    }
+}
+
+/// A run with its sensitivities; `None`: the parameters that were chosen are none of the model.
+fn differentiated(
+    model: &Model,
+    (options, parameters): (&RunOptions, &[Parameter]),
+    watch: &mut Watch<'_>,
+) -> Option<Ending> {
+    let mut workspace = Workspace::new(&Plan::of(model), &options.solve);
+    workspace.run_differentiated(model, parameters, watch).ok()?.ok()
 }
 
 /// The state of an earlier job that a deck with `*RESTART, READ` begins with.
@@ -286,6 +318,13 @@ impl<'a> Watch<'a> {
         let (noise, diagnostics) = (Noise::of(model), Vec::new());
         let onset = model.friction_onset;
         Self { writers, observer, onset, dropped_work, noise, diagnostics }
+    }
+
+    /// What is said before the run.
+    fn tell_all(&mut self, said: &[Diagnostic]) {
+        for said in said {
+            let _ = self.event(Event::Diagnosed(said)); // it has not begun: there is nothing to stop
+        }
     }
 
     /// The event reaches both even where the first one asks to stop; being

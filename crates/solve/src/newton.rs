@@ -17,6 +17,7 @@ mod hold;
 mod iterate;
 mod measures;
 mod multipliers;
+mod near;
 mod outcome;
 mod questions;
 mod relax;
@@ -27,8 +28,9 @@ mod stresses;
 mod trial;
 mod turns;
 
-pub use assembly::TOUCH;
+pub use assembly::{TOUCH, augmentation_stiffness};
 pub use attempt::attempt;
+pub use near::Rates;
 pub use outcome::Outcome;
 pub use relax::relax;
 pub use scratch::Scratch;

@@ -12,6 +12,7 @@
 mod frame;
 pub(crate) mod reports;
 pub(crate) mod results;
+mod sensitivity;
 
 use crate::checkpoint::Checkpoint;
 use crate::stabilise::may_stabilise;
@@ -23,6 +24,7 @@ pub use results::{
     BeamRow, BlockResults, ContactRow, Energies, FrictionCall, PairRow, Resultant, SectionRow,
     Status,
 };
+pub use sensitivity::Sensitivity;
 use slideline_diag::Diagnostic;
 use slideline_linalg::Description;
 use slideline_model::Model;
@@ -55,6 +57,8 @@ pub enum Event<'a> {
     AttemptFailed(&'a AttemptReport),
     /// An increment has converged.
     Committed(&'a Frame<'a>),
+    /// How the increment that was committed follows a parameter; where a run is differentiated.
+    Sensitivity(&'a Sensitivity<'a>),
     /// The tangent of a converged increment was held against differences.
     Tangent(&'a TangentReport),
     /// An increment was told in full; the run could go on from here.

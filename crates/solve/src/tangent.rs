@@ -261,7 +261,7 @@ impl Place<'_> {
     /// Pressure and traction of a point at a kinematics, and the slope of the
     /// pressure; whether friction is called, and whether it sticks exactly, is
     /// as in the converged state.
-    fn law(&self, place: usize, kinematics: &PointKinematics) -> ((f64, Traction), f64) {
+    pub fn law(&self, place: usize, kinematics: &PointKinematics) -> ((f64, Traction), f64) {
         let Place { plan, committed, trial, evaluation } = self;
         let point = &plan.contact.points[place];
         let laws: &Laws = plan.contact.laws_of(point.pair, &committed.points[place]);

@@ -16,6 +16,7 @@ use crate::plan::{Plan, PlanMismatch};
 use crate::problem::Means;
 use crate::run::analysis::{Analysis, Room};
 use crate::run::options::Options;
+use crate::sensitivity::{Parameter, SensitivityFault, Varied, sensitivity_fault};
 use crate::values::Values;
 use rayon::ThreadPool;
 use slideline_model::Model;
@@ -57,7 +58,35 @@ impl Workspace {
         model: &Model,
         observer: &mut dyn Observer,
     ) -> Result<Ending, PlanMismatch> {
-        self.analyse(model, observer, |mut analysis, scratch| analysis.steps(scratch))
+        self.analyse((model, None), observer, |mut analysis, scratch| analysis.steps(scratch))
+    }
+
+    /// The same, differentiated: behind every committed increment the observer is told how it follows
+    /// each parameter, as [`Event::Sensitivity`](crate::observe::Event::Sensitivity). Times of
+    /// increments are held. docs/theory.md section 13.
+    ///
+    /// # Errors
+    /// A model that is not of the outline of the plan; a parameter that the model cannot be
+    /// differentiated by. Nothing was told.
+    pub fn run_differentiated(
+        &mut self,
+        model: &Model,
+        parameters: &[Parameter],
+        observer: &mut dyn Observer,
+    ) -> Result<Result<Ending, PlanMismatch>, SensitivityFault> {
+        let users = &self.options.user_frictions;
+        let mut varied = Varied::new(parameters, (&self.plan, model), users)?;
+        let of = (model, Some(&mut varied));
+        Ok(self.analyse(of, observer, |mut analysis, scratch| analysis.steps(scratch)))
+    }
+
+    /// Why the model has no derivative by a parameter, if it has none.
+    pub fn sensitivity_fault(
+        &self,
+        model: &Model,
+        parameter: &Parameter,
+    ) -> Option<SensitivityFault> {
+        sensitivity_fault(parameter, (&self.plan, model), &self.options.user_frictions)
     }
 
     /// Goes on from a checkpoint of the model; see [`resume`](crate::resume) and
@@ -69,7 +98,7 @@ impl Workspace {
         observer: &mut dyn Observer,
         (totals, resumes): (Totals, bool),
     ) -> Result<Ending, PlanMismatch> {
-        self.analyse(model, observer, |mut analysis, scratch| {
+        self.analyse((model, None), observer, |mut analysis, scratch| {
             (analysis.totals, analysis.resumes) = (totals, resumes);
             analysis.go_on(from, scratch)
         })
@@ -77,7 +106,7 @@ impl Workspace {
 
     fn analyse(
         &mut self,
-        model: &Model,
+        (model, varied): (&Model, Option<&mut Varied>),
         observer: &mut dyn Observer,
         steps: impl FnOnce(Analysis<'_>, &mut Scratch) -> Ending,
     ) -> Result<Ending, PlanMismatch> {
@@ -88,8 +117,9 @@ impl Workspace {
         values.take(plan, model, &options.user_frictions)?;
         let means = Means { pool: pool.as_deref(), linear_systems };
         room.begin(plan);
-        let analysis =
+        let mut analysis =
             Analysis::new(model, (&**plan, &*values), (&*options, means), (room, &mut *observer));
+        analysis.varied = varied;
         let ending = steps(analysis, scratch);
         let _ = observer.event(Event::End(&ending)); // the run is over: there is nothing to stop
         Ok(ending)

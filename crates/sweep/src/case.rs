@@ -3,13 +3,16 @@
 use crate::expression::Watched;
 use crate::history::{History, Watch};
 use crate::layout::Parameter;
-use crate::response::evaluate;
+use crate::response::{evaluate, gradients};
 use crate::spread::Number;
 use crate::study::Study;
 use slideline::diag::{Diagnostic, Sources};
 use slideline::keywords::Setting;
 use slideline::observe::Ending;
-use slideline::{Judge, Model, Parametric, Plan, SolveOptions, Workspace, objections};
+use slideline::{
+    Judge, Model, Parameter as Varied, Parametric, Plan, SolveOptions, Workspace, objections,
+};
+use std::sync::Arc;
 
 /// What came of a case.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,7 +21,8 @@ pub struct Row {
     pub case: u64,
     /// Values of the parameters.
     pub values: Vec<f64>,
-    /// Values of the responses.
+    /// Values of the responses; behind them, where a study asks for gradients, the derivatives of the
+    /// first one by all parameters, those of the second one, and so on.
     pub responses: Vec<Option<f64>>,
     /// Why there are none.
     pub code: Option<String>,
@@ -41,6 +45,8 @@ pub(crate) struct Runner<'a> {
     stops: &'a (dyn Fn() -> bool + Sync),
     options: SolveOptions,
     room: Room,
+    /// The deck for the neighbours of a case, where gradients are asked for.
+    differentiated: Option<Arc<Parametric>>,
 }
 
 impl<'a> Runner<'a> {
@@ -49,7 +55,9 @@ impl<'a> Runner<'a> {
         deck: &'a Parametric,
         stops: &'a (dyn Fn() -> bool + Sync),
     ) -> Self {
-        Self { study, deck, stops, options: SolveOptions::default(), room: Room::default() }
+        let differentiated = study.gradients.then(|| Arc::new(deck.clone()));
+        let (options, room) = (SolveOptions::default(), Room::default());
+        Self { study, deck, stops, options, room, differentiated }
     }
 
     /// The same in a room that another one has left.
@@ -73,14 +81,41 @@ impl<'a> Runner<'a> {
         let values: Vec<f64> = numbers.iter().map(|number| number.real()).collect();
         let settings = settings(self.study, numbers);
         let found = match self.deck.read(&settings) {
-            Ok((model, said)) => self.run(&model, said)?,
+            Ok((model, said)) => {
+                let varied = self.varied(numbers, &settings);
+                self.run(&model, said, varied)?
+            }
             Err(said) => Err(said.first().map_or("SL0901", |said| said.code.0)),
         };
         let (responses, code) = match found {
-            Ok(()) => (evaluate(&self.study.responses, &values, &self.room.history), None),
-            Err(code) => (vec![None; self.study.responses.len()], Some(code.to_owned())),
+            Ok(()) => (self.responses(&values), None),
+            Err(code) => (vec![None; self.study.columns()], Some(code.to_owned())),
         };
         Some(Row { case, values, responses, code })
+    }
+
+    /// Values of the responses, and their derivatives where these are asked for.
+    fn responses(&self, values: &[f64]) -> Vec<Option<f64>> {
+        let (responses, history) = (&self.study.responses, &self.room.history);
+        let mut found = evaluate(responses, values, history);
+        if self.differentiated.is_some() {
+            let more = gradients(responses, values, (&found, history));
+            found.extend(more);
+        }
+        found
+    }
+
+    /// The parameters of a case that may change a little, with their places.
+    fn varied(&self, numbers: &[Number], settings: &[Setting]) -> (Vec<usize>, Vec<Varied>) {
+        let Some(deck) = &self.differentiated else { return (Vec::new(), Vec::new()) };
+        let real = numbers.iter().enumerate().filter_map(|(place, number)| match number {
+            Number::Real(value) => {
+                Some((place, (self.study.parameters[place].name.clone(), *value)))
+            }
+            Number::Whole(_) => None,
+        });
+        let (places, named): (Vec<usize>, Vec<(String, f64)>) = real.unzip();
+        (places, deck.varied(settings, &named))
     }
 
     /// Runs a model of which reading said something; the code of what stands against it. `None`: the
@@ -89,6 +124,7 @@ impl<'a> Runner<'a> {
         &mut self,
         model: &Model,
         mut said: Vec<Diagnostic>,
+        mut varied: (Vec<usize>, Vec<Varied>),
     ) -> Option<Result<(), &'static str>> {
         if !self.room.history.begin(&self.study.curves, model) {
             return Some(Err(NO_NODE));
@@ -96,12 +132,15 @@ impl<'a> Runner<'a> {
         if self.study.watched == Watched::Verdict {
             said.extend(objections(model));
         }
-        let ending = match self.in_room(model, &said) {
+        if self.differentiated.is_some() {
+            self.room.history.differentiate(self.study.parameters.len());
+        }
+        let ending = match self.in_room(model, &said, &mut varied) {
             Some(ending) => ending,
             None => {
                 // another outline, such as another number of elements
                 self.room.workspace = Some(Workspace::new(&Plan::of(model), &self.options));
-                self.in_room(model, &said)?
+                self.in_room(model, &said, &mut varied)?
             }
         };
         match ending {
@@ -112,12 +151,33 @@ impl<'a> Runner<'a> {
     }
 
     /// Runs a model where the last one was; `None`: there is no room for its outline.
-    fn in_room(&mut self, model: &Model, said: &[Diagnostic]) -> Option<Ending> {
+    fn in_room(
+        &mut self,
+        model: &Model,
+        said: &[Diagnostic],
+        (places, varied): &mut (Vec<usize>, Vec<Varied>),
+    ) -> Option<Ending> {
         let sources = Sources::default(); // no message is read
         let judges = self.study.watched > Watched::Curves;
         let judge = judges.then(|| Judge::new(model, (said, &sources)));
         let (history, stops) = (&mut self.room.history, self.stops);
-        self.room.workspace.as_mut()?.run(model, &mut Watch { history, judge, stops }).ok()
+        let workspace = self.room.workspace.as_mut()?;
+        if varied.is_empty() {
+            return workspace.run(model, &mut Watch { history, by: &[], judge, stops }).ok();
+        }
+        // what the model cannot be differentiated by has no derivatives
+        let mut place = 0;
+        varied.retain(|own| {
+            let stays = workspace.sensitivity_fault(model, own).is_none();
+            if stays {
+                place += 1;
+            } else {
+                places.remove(place);
+            }
+            stays
+        });
+        let watch = &mut Watch { history, by: places, judge, stops };
+        workspace.run_differentiated(model, varied, watch).ok()?.ok()
     }
 }
 

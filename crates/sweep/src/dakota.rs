@@ -18,6 +18,10 @@ use std::path::{Path, PathBuf};
 const HELP: &str = "Dakota writes such files: interface with fork, in its standard format or with \
                     aprepro.";
 
+/// Bits of an active set.
+const VALUE: u64 = 1;
+const GRADIENT: u64 = 2;
+
 type Found<T> = Result<T, Box<Diagnostic>>;
 
 /// A file of parameters: what Dakota wants to know at which point.
@@ -26,6 +30,8 @@ pub struct Asked {
     variables: Vec<(String, String, Span)>,
     /// Label, active set and place of every function.
     functions: Vec<(String, u64, Span)>,
+    /// Variables by which derivatives are wanted.
+    derivatives: Vec<String>,
     /// The study, where Dakota names it as its analysis component.
     pub study: Option<PathBuf>,
 }
@@ -48,10 +54,16 @@ pub fn read_asked(path: &Path, sources: &mut Sources) -> Found<Asked> {
     let count = lines.count(&["functions", "DAKOTA_FNS"])?;
     let functions = lines.take(count)?.into_iter().map(function).collect::<Found<_>>()?;
     let count = lines.count(&["derivative_variables", "DAKOTA_DER_VARS"])?;
-    lines.take(count)?;
+    let derivatives = lines.take(count)?.into_iter().map(derivative).collect::<Found<_>>()?;
     let count = lines.count(&["analysis_components", "DAKOTA_AN_COMPS"])?;
     let study = lines.take(count)?.into_iter().next();
-    Ok(Asked { variables, functions, study: study.map(|(_, value, _)| value.into()) })
+    Ok(Asked { variables, functions, derivatives, study: study.map(|(_, value, _)| value.into()) })
+}
+
+/// A variable by which derivatives are wanted, by its label.
+fn derivative((name, _, span): (String, String, Span)) -> Found<String> {
+    let label = name.strip_prefix("DVV_").and_then(|rest| Some(rest.split_once(':')?.1.to_owned()));
+    label.ok_or_else(|| refused("a variable is a line such as `1 DVV_1:thickness`".into(), span))
 }
 
 /// A function by its label, with its active set.
@@ -129,7 +141,7 @@ impl Asked {
     ///
     /// # Errors
     /// A variable that the study does not have or that is no number, a parameter that has no
-    /// value, a function that is no response, derivatives (SL0820).
+    /// value, a function that is no response, second derivatives (SL0820).
     pub fn point(&self, study: &StudyFile) -> Found<Vec<Number>> {
         let known: Vec<&str> = study.parameters.iter().map(|(name, _)| name.as_str()).collect();
         let strange = self.variables.iter().find(|(name, ..)| !known.contains(&name.as_str()));
@@ -154,6 +166,7 @@ impl Asked {
     }
 
     fn checked_functions(&self, study: &StudyFile) -> Found<()> {
+        let is_known = |own: &String| study.parameters.iter().any(|(name, _)| name == own);
         for (label, active, span) in &self.functions {
             if !study.responses.contains(label) {
                 let message = format!("the study has no response {label}");
@@ -161,25 +174,60 @@ impl Asked {
                 let help = format!("Write `descriptors '{names}'` below `responses`.");
                 return Err(Box::new(refused(message, *span).help(help)));
             }
-            if *active > 1 {
-                let message = format!("Dakota asks for derivatives of {label}");
-                let help = "Write `numerical_gradients` or `no_gradients`, and `no_hessians`.";
+            let strange = self
+                .derivatives
+                .iter()
+                .find(|own| !is_known(own))
+                .filter(|_| active & GRADIENT > 0);
+            if let Some(name) = strange {
+                let message =
+                    format!("Dakota asks for a derivative by {name}, no parameter of the study");
+                return Err(refused(message, *span));
+            }
+            if *active > VALUE + GRADIENT {
+                let message = format!("Dakota asks for second derivatives of {label}");
+                let help = "Write `no_hessians`, or `quasi_hessians bfgs`.";
                 return Err(Box::new(refused(message, *span).help(help)));
             }
         }
         Ok(())
     }
 
-    /// The text of the results: values of the functions in their order, or `FAIL` and the code of
+    /// Whether derivatives are wanted.
+    pub fn wants_gradients(&self) -> bool {
+        self.functions.iter().any(|(_, active, _)| active & GRADIENT > 0)
+    }
+
+    /// The derivatives of a response of a row; `None` where one is missing.
+    fn gradient(&self, study: &StudyFile, place: usize, row: &Row) -> Option<String> {
+        let (responses, parameters) = (study.study.responses.len(), &study.parameters);
+        let mut text = "[".to_owned();
+        for own in &self.derivatives {
+            let by = parameters.iter().position(|(name, _)| name == own)?;
+            let value = row.responses.get(responses + place * parameters.len() + by)?;
+            let _ = write!(text, " {:e}", (*value)?); // a String takes any text
+        }
+        Some(text + " ]\n")
+    }
+
+    /// The text of the results: values of the functions in their order, their gradients, or `FAIL` and the code of
     /// what stands against the case, which Dakota takes for a failed evaluation.
     pub fn answer(&self, study: &StudyFile, row: &Row) -> String {
         let mut text = String::new();
-        for (label, ..) in self.functions.iter().filter(|(_, active, _)| *active == 1) {
-            let place = study.responses.iter().position(|own| own == label);
+        let place = |label: &String| study.responses.iter().position(|own| own == label);
+        let fails = |label: &String| format!("FAIL {}\n", row.code.as_deref().unwrap_or(label));
+        for (label, ..) in self.functions.iter().filter(|(_, active, _)| active & VALUE > 0) {
+            let place = place(label);
             match place.and_then(|place| row.responses[place]) {
                 // a String takes any text
                 Some(value) => drop(writeln!(text, "{value:e} {label}")),
-                None => return format!("FAIL {}\n", row.code.as_deref().unwrap_or(label)),
+                None => return fails(label),
+            }
+        }
+        for (label, ..) in self.functions.iter().filter(|(_, active, _)| active & GRADIENT > 0) {
+            match place(label).and_then(|place| self.gradient(study, place, row)) {
+                Some(gradient) => text.push_str(&gradient),
+                None => return fails(label),
             }
         }
         text
@@ -227,11 +275,24 @@ mod tests {
         }
     }
 
+    /// Source: gradients stand in brackets behind all values, in the manual of Dakota.
+    #[test]
+    fn gradients_stand_behind_the_values() {
+        let text = STANDARD.replace("1 ASV_1:push", "3 ASV_1:push");
+        let (asked, study) = read(&text, "gradients");
+        let asked = asked.unwrap();
+        assert!(asked.wants_gradients() && asked.point(&study).is_ok());
+        // pull and push, then each by lead and by thickness
+        let responses = [3.0, -0.25, 1.0, 2.0, 3.0, 4.0].map(Some).to_vec();
+        let row = Row { case: 0, values: vec![30.0, 1.5], responses, code: None };
+        assert_eq!(asked.answer(&study, &row), "-2.5e-1 push\n[ 4e0 3e0 ]\n");
+    }
+
     #[test]
     fn what_cannot_be_answered_is_told() {
         let cases = [
             ("ASV_1:push", "ASV_1:pish", "no response pish"),
-            ("1 ASV_1:push", "3 ASV_1:push", "derivatives of push"),
+            ("1 ASV_1:push", "5 ASV_1:push", "second derivatives of push"),
             ("30 lead", "30 load", "no parameter load"),
             ("30 lead", "steel lead", "no finite number"),
             ("2 variables\n", "1 variables\n", "number of functions"),

@@ -57,9 +57,29 @@ impl Evaluator {
         threads: usize,
         stops: &(dyn Fn() -> bool + Sync),
     ) -> Vec<Row> {
+        self.run(&self.study, points, (threads, stops))
+    }
+
+    /// The same with the derivatives of the responses by the parameters: behind the responses of a row
+    /// those of the first one by all parameters, those of the second one, and so on.
+    pub fn differentiate(
+        &self,
+        points: &[Vec<Number>],
+        threads: usize,
+        stops: &(dyn Fn() -> bool + Sync),
+    ) -> Vec<Row> {
+        self.run(&self.study.clone().with_gradients(), points, (threads, stops))
+    }
+
+    fn run(
+        &self,
+        study: &Study,
+        points: &[Vec<Number>],
+        (threads, stops): (usize, &(dyn Fn() -> bool + Sync)),
+    ) -> Vec<Row> {
         let begin = || {
             let room = self.rooms().pop().unwrap_or_default();
-            Runner::new(&self.study, &self.deck, stops).in_room_of(room)
+            Runner::new(study, &self.deck, stops).in_room_of(room)
         };
         let run = |runner: &mut Runner<'_>, case: u64| {
             let point = points.get(usize::try_from(case).ok()?)?;

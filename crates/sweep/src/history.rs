@@ -2,7 +2,7 @@
 
 use crate::curve::{Curve, Source};
 use crate::expression::{Count, Measure};
-use slideline::observe::Frame;
+use slideline::observe::{Frame, Sensitivity};
 use slideline::{Colour, Event, Judge, Model, Observer, Stop};
 use slideline_measures::{maximum, peaks, roughness, work};
 use std::ops::{ControlFlow, Range};
@@ -15,6 +15,8 @@ pub(crate) struct History {
     times: Vec<f64>,
     /// Rows where steps end, past the last one.
     ends: Vec<usize>,
+    /// Derivatives of the curves by every parameter, row by row; not a number where there is none.
+    rates: Vec<Vec<Vec<f64>>>,
     iterations: usize,
     cutbacks: usize,
     fibre_strain: Option<f64>,
@@ -29,6 +31,7 @@ impl History {
         self.sources.extend(curves.iter().map_while(|curve| curve.source(model)));
         self.curves.resize(curves.len(), Vec::new());
         self.curves.iter_mut().for_each(Vec::clear);
+        self.rates.clear();
         self.times.clear();
         self.ends.clear();
         (self.iterations, self.cutbacks, self.fibre_strain) = (0, 0, None);
@@ -44,6 +47,85 @@ impl History {
         self.times.push(frame.total_time);
         let strains = frame.beams.iter().map(|beam| beam.fibre_strain);
         self.fibre_strain = strains.chain(self.fibre_strain).reduce(f64::max);
+    }
+
+    /// Prepares for derivatives by so many parameters.
+    pub fn differentiate(&mut self, parameters: usize) {
+        self.rates.resize(parameters, vec![Vec::new(); self.curves.len()]);
+    }
+
+    /// Takes how the last row follows a parameter.
+    fn take_rates(&mut self, parameter: usize, told: &Sensitivity<'_>) {
+        let Some(rates) = self.rates.get_mut(parameter) else { return };
+        let row = self.times.len() - 1;
+        for (source, rates) in self.sources.iter().zip(rates) {
+            rates.resize(row, f64::NAN);
+            rates.push(told.of(|frame| source.value(frame)));
+        }
+    }
+
+    /// Derivatives of a curve by a parameter at some rows. The start of a run depends on nothing.
+    fn rates(&self, curve: usize, parameter: usize, rows: Range<usize>) -> Option<Vec<f64>> {
+        let own = self.rates.get(parameter)?.get(curve)?;
+        let rate = |row: usize| match row {
+            0 => 0.0,
+            row => own.get(row).copied().unwrap_or(f64::NAN),
+        };
+        Some(rows.map(rate).collect())
+    }
+
+    /// The derivative of a measure by a parameter: that of the value which is measured.
+    pub fn rate_measured(
+        &self,
+        measure: Measure,
+        curve: usize,
+        step: Option<usize>,
+        parameter: usize,
+    ) -> Option<f64> {
+        let rows = self.rows(step)?;
+        let (values, rates) =
+            (&self.curves[curve][rows.clone()], self.rates(curve, parameter, rows)?);
+        let first = |better: fn(f64, f64) -> bool| {
+            let each = values.iter().enumerate().filter(|(_, own)| !own.is_nan());
+            each.reduce(|best, own| if better(*own.1, *best.1) { own } else { best })
+        };
+        let (row, way) = match measure {
+            Measure::Max => (first(|a, b| a > b)?.0, 1.0),
+            Measure::Min => (first(|a, b| a < b)?.0, 1.0),
+            Measure::Peak => {
+                let (row, value) = first(|a, b| a.abs() > b.abs())?;
+                (row, value.signum())
+            }
+            Measure::Last => (values.len().checked_sub(1)?, 1.0),
+            Measure::Roughness => return None,
+        };
+        Some(way * rates[row])
+    }
+
+    /// The derivative of a value at a total time.
+    pub fn rate_at(&self, curve: usize, time: f64, parameter: usize) -> Option<f64> {
+        let after = self.times.partition_point(|&own| own < time);
+        let end = *self.times.get(after)?;
+        let Some(before) = after.checked_sub(1) else {
+            return self.rates(curve, parameter, after..after + 1)?.first().copied();
+        };
+        let share = (time - self.times[before]) / (end - self.times[before]);
+        let both = self.rates(curve, parameter, before..after + 1)?;
+        Some(both[0] + share * (both[1] - both[0]))
+    }
+
+    /// The derivative of a work, which is linear in force and motion.
+    pub fn rate_of_work(
+        &self,
+        [force, motion]: [usize; 2],
+        step: Option<usize>,
+        parameter: usize,
+    ) -> Option<f64> {
+        let rows = self.rows(step)?;
+        let by_force = self.rates(force, parameter, rows.clone())?;
+        let by_motion = self.rates(motion, parameter, rows.clone())?;
+        let [force, motion] = [force, motion].map(|curve| &self.curves[curve][rows.clone()]);
+        Some(work(&by_force, motion)? + work(force, &by_motion)?)
     }
 
     /// Rows of a step, with the one in which it begins; `None`: all.
@@ -101,6 +183,8 @@ impl History {
 /// Watches a run for a history.
 pub(crate) struct Watch<'a> {
     pub history: &'a mut History,
+    /// Which parameter each of those is that the run is differentiated by.
+    pub by: &'a [usize],
     /// Who judges it, where a response asks for that.
     pub judge: Option<Judge<'a>>,
     /// Whether the user wants it to end.
@@ -122,6 +206,11 @@ impl Observer for Watch<'_> {
                 }
                 if (self.stops)() {
                     return ControlFlow::Break(Stop::Interrupted);
+                }
+            }
+            Event::Sensitivity(told) => {
+                if let Some(&parameter) = self.by.get(told.parameter) {
+                    self.history.take_rates(parameter, told);
                 }
             }
             _ => {}

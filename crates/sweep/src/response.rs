@@ -23,6 +23,55 @@ pub(crate) fn evaluate(
     values
 }
 
+/// The derivative of every response by every parameter, response by response; `None` where there is
+/// none: of counts, of roughness, of verdicts, and by what the model cannot be differentiated by.
+pub(crate) fn gradients(
+    responses: &[Response],
+    parameters: &[f64],
+    (values, history): (&[Option<f64>], &History),
+) -> Vec<Option<f64>> {
+    let seen = (parameters, values, history);
+    let by = |parameter: usize| {
+        let mut rates: Vec<Option<f64>> = Vec::with_capacity(responses.len());
+        for response in responses {
+            let found = rate(&response.term, &seen, (parameter, &rates));
+            rates.push(found.filter(|rate| rate.is_finite()));
+        }
+        rates
+    };
+    let all: Vec<Vec<Option<f64>>> = (0..parameters.len()).map(by).collect();
+    (0..responses.len()).flat_map(|own| all.iter().map(move |rates| rates[own])).collect()
+}
+
+/// The derivative of a term by a parameter, those of the responses before it being there.
+fn rate(term: &Term, seen: &Seen<'_>, by: (usize, &[Option<f64>])) -> Option<f64> {
+    let (parameter, rates) = by;
+    let history = seen.2;
+    match term {
+        Term::Number(_) => Some(0.0),
+        Term::Parameter(place) => Some(if *place == parameter { 1.0 } else { 0.0 }),
+        Term::Response(place) => rates[*place],
+        Term::Count(_) => None,
+        Term::Measured(measure, curve, step) => {
+            history.rate_measured(*measure, *curve, *step, parameter)
+        }
+        Term::At(curve, time) => history.rate_at(*curve, *time, parameter),
+        Term::Work(curves, step) => history.rate_of_work(*curves, *step, parameter),
+        Term::Absolute(inner) => Some(value(inner, seen)?.signum() * rate(inner, seen, by)?),
+        Term::Root(inner) => Some(0.5 * rate(inner, seen, by)? / value(inner, seen)?.sqrt()),
+        Term::Joined(sign, both) => {
+            let [a, b] = [value(&both[0], seen)?, value(&both[1], seen)?];
+            let [da, db] = [rate(&both[0], seen, by)?, rate(&both[1], seen, by)?];
+            Some(match sign {
+                '+' => da + db,
+                '-' => da - db,
+                '*' => da * b + a * db,
+                _ => (da - a / b * db) / b,
+            })
+        }
+    }
+}
+
 /// What an expression may look at.
 type Seen<'a> = (&'a [f64], &'a [Option<f64>], &'a History);
 

@@ -20,6 +20,8 @@ pub struct Study {
     /// Where each curve is named first.
     pub(crate) places: Vec<Span>,
     pub(crate) watched: Watched,
+    /// Whether derivatives of the responses by the parameters stand behind them.
+    pub(crate) gradients: bool,
 }
 
 impl Study {
@@ -42,13 +44,25 @@ impl Study {
         let (responses, named) = read_responses(responses, &names, sources)?;
         let (curves, places) = named.into_iter().unzip();
         let watched = responses.iter().map(|own| own.term.watched()).max().unwrap_or_default();
-        Ok(Self { parameters, design, responses, curves, places, watched })
+        Ok(Self { parameters, design, responses, curves, places, watched, gradients: false })
     }
 
     /// Everything that the rows depend on, as a text.
     pub(crate) fn description(&self) -> String {
         let Self { parameters, design, responses, curves, .. } = self;
         format!("{parameters:?} {design:?} {responses:?} {curves:?}")
+    }
+
+    /// The same with the derivatives of the responses by the parameters.
+    pub fn with_gradients(mut self) -> Self {
+        self.gradients = true;
+        self
+    }
+
+    /// Numbers of a row behind the parameters: responses, and derivatives where they are asked for.
+    pub(crate) fn columns(&self) -> usize {
+        let each = if self.gradients { 1 + self.parameters.len() } else { 1 };
+        each * self.responses.len()
     }
 
     /// How many cases there are.

@@ -23,7 +23,7 @@ pub struct StudyFile {
     pub study: Study,
     /// Names of the parameters and where they stand.
     pub parameters: Vec<(String, Span)>,
-    /// Names of the responses.
+    /// Names of the responses, and of their derivatives behind them where these are asked for.
     pub responses: Vec<String>,
 }
 
@@ -75,6 +75,17 @@ pub fn read_study_text(
     study.filter(|_| reader.said.is_empty()).ok_or(reader.said)
 }
 
+/// Names of responses, and of their derivatives by all parameters behind them.
+fn with_gradients(mut responses: Vec<String>, parameters: &[String]) -> Vec<String> {
+    let by = |response: &String| {
+        let name = |parameter: &String| format!("d({response})/d({parameter})");
+        parameters.iter().map(name).collect::<Vec<_>>()
+    };
+    let rates: Vec<String> = responses.iter().flat_map(by).collect();
+    responses.extend(rates);
+    responses
+}
+
 struct Reader {
     file: FileId,
     said: Vec<Diagnostic>,
@@ -97,7 +108,7 @@ impl Reader {
         sources: &mut Sources,
     ) -> Option<StudyFile> {
         self.only_known(table, &WORDS);
-        self.no_gradients(table);
+        let gradients = self.gradients(table);
         let (parameters, spans) = self.parameters(table);
         let (responses, values) = self.responses(table);
         let layout = self.layout(table, &parameters);
@@ -113,8 +124,13 @@ impl Reader {
             Ok(mut study) => {
                 let own = study.places.iter_mut();
                 own.for_each(|place| *place = places.in_file(*place, sources));
+                let mut responses: Vec<String> =
+                    responses.into_iter().map(|(name, _)| name).collect();
+                if gradients {
+                    study = study.with_gradients();
+                    responses = with_gradients(responses, &names);
+                }
                 let parameters = names.into_iter().zip(spans).collect();
-                let responses = responses.into_iter().map(|(name, _)| name).collect();
                 Some(StudyFile { deck, study, parameters, responses })
             }
             Err(said) => {
@@ -131,12 +147,13 @@ impl Reader {
         }
     }
 
-    fn no_gradients(&mut self, table: &DeTable<'_>) {
-        let wanted = table.get("gradients").filter(|own| own.get_ref().as_bool() != Some(false));
-        if let Some(value) = wanted {
-            let help = "Leave the line out. Differences of cases give gradients until then.";
-            self.refuse("SL0809", "gradients of responses are not offered yet", value.span(), help);
-        }
+    fn gradients(&mut self, table: &DeTable<'_>) -> bool {
+        let Some(value) = table.get("gradients") else { return false };
+        value.get_ref().as_bool().unwrap_or_else(|| {
+            let help = "Write `gradients = true` for the derivatives of all responses.";
+            self.refuse("SL0809", "gradients are true or false", value.span(), help);
+            false
+        })
     }
 
     fn missing(&mut self, word: &str, example: &str) {

@@ -90,6 +90,9 @@ class Evaluator:
     def evaluate(
         self, points: ArrayLike, threads: int
     ) -> tuple[NDArray[np.float64], list[str | None]]: ...
+    def jacobian(
+        self, points: ArrayLike, threads: int
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64], list[str | None]]: ...
 
 class Study:
     cases: int

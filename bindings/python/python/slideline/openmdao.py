@@ -19,17 +19,18 @@ class EvaluatorComponent(om.ExplicitComponent):
     """Inputs are the parameters of an evaluator, outputs its responses, all scalars.
 
     ``values`` are the inputs to begin with, in the order of the parameters, in the units of the deck.
-    Partials are forward differences of relative ``step`` [1].
+    Partials are exact (docs/sensitivities.md): where a response has none, such as a count, AnalysisError says
+    so when they are asked for.
 
     Raises ``openmdao.api.AnalysisError`` where a point fails, which drivers take for a failed
     evaluation; its text has the code.
     """
 
-    def __init__(self, evaluator: Evaluator, values: Sequence[float], step: float = 1e-5) -> None:
+    def __init__(self, evaluator: Evaluator, values: Sequence[float]) -> None:
         super().__init__()
         if len(values) != len(evaluator.parameters):
             raise ValueError(f"values has one number for each of {', '.join(evaluator.parameters)}")
-        self._evaluator, self._values, self._step = evaluator, list(values), step
+        self._evaluator, self._values = evaluator, list(values)
 
     def setup(self) -> None:
         """Declares inputs, outputs and partials."""
@@ -53,12 +54,11 @@ class EvaluatorComponent(om.ExplicitComponent):
             outputs[name] = value
 
     def compute_partials(self, inputs: Any, partials: Any) -> None:
-        """All points of the differences in one call, on all cores."""
+        """The derivatives of one run."""
         point = self._point(inputs)
-        steps = self._step * np.where(point == 0.0, 1.0, np.abs(point))
-        points = np.vstack([point, point + np.diag(steps)])
-        found = self._evaluator.evaluate(points)
-        slopes = (found[1:] - found[0]) / steps[:, None]
-        for i, parameter in enumerate(self._evaluator.parameters):
-            for j, response in enumerate(self._evaluator.responses):
-                partials[response, parameter] = slopes[i, j]
+        slopes = self._evaluator.jacobian(point)
+        if not np.isfinite(slopes).all():
+            raise om.AnalysisError(f"a response has no derivative at {point}")
+        for j, response in enumerate(self._evaluator.responses):
+            for i, parameter in enumerate(self._evaluator.parameters):
+                partials[response, parameter] = slopes[j, i]

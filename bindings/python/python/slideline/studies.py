@@ -76,6 +76,22 @@ class Evaluator:
         found, _ = self._evaluator.evaluate(np.atleast_2d(points), self.threads)
         return found if points.ndim == 2 else found[0]
 
+    def jacobian(self, x: Any) -> np.ndarray:
+        """Derivatives (points, responses, parameters) of the responses by the parameters at values X
+        (points, parameters); one point (parameters,) gives (responses, parameters). They are those of
+        the run itself, not differences of runs (docs/sensitivities.md); not a number where a point
+        fails, where a response has none (counts, roughness, verdict), and by whole numbers.
+
+        Raises as ``evaluate`` does.
+        """
+        return self.evaluate_with_jacobian(x)[1]
+
+    def evaluate_with_jacobian(self, x: Any) -> tuple[np.ndarray, np.ndarray]:
+        """What ``evaluate`` and ``jacobian`` give, of one run a point."""
+        points = self._points(x)
+        found, rates, _ = self._evaluator.jacobian(np.atleast_2d(points), self.threads)
+        return (found, rates) if points.ndim == 2 else (found[0], rates[0])
+
     def failures(self, x: Any) -> list[str | None]:
         """The code of what stands against each point, None where nothing does."""
         _, codes = self._evaluator.evaluate(np.atleast_2d(self._points(x)), self.threads)

@@ -45,6 +45,7 @@ const WRITTEN: &[(&str, &str)] = &[
     ("meshes", include_str!("../../../../docs/meshes.md")),
     ("files", include_str!("../../../../docs/files.md")),
     ("workbench", include_str!("../../../../docs/workbench.md")),
+    ("sensitivities", include_str!("../../../../docs/sensitivities.md")),
     ("report", include_str!("../../../../docs/report.md")),
     ("restart", include_str!("../../../../docs/restart.md")),
     ("studies", include_str!("../../../../docs/studies.md")),

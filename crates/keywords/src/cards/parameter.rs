@@ -4,7 +4,7 @@ use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic};
 
 use crate::draft::Draft;
-use crate::expression::{evaluate, is_name};
+use crate::expression::{Values, evaluate, is_name};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
 
@@ -52,9 +52,15 @@ fn define(line: &DataLine, draft: &mut Draft) {
         return;
     };
     let set = draft.overrides.take(name);
+    let (is_set, is_known, text_of) = (set.is_some(), draft.parameters.contains_key(name), value);
     match evaluate(value, &draft.parameters) {
         Ok(value) => {
-            draft.parameters.insert(name.to_owned(), set.unwrap_or(value));
+            let value = set.unwrap_or(value);
+            let stands_alone = is_set || evaluate(text_of, &Values::new()).is_ok();
+            if let (true, false, Ok(number)) = (stands_alone, is_known, value.real()) {
+                draft.numbers.push((name.to_owned(), number));
+            }
+            draft.parameters.insert(name.to_owned(), value);
         }
         Err(why) => {
             // one that is used is not complained about once more

@@ -268,7 +268,7 @@ impl Scratch {
 /// Augmentation stiffness per area of a point [F/L3]: a part of that of the stiffest
 /// element. Without elements, of one that the largest load would shorten by the
 /// size of the model; where nothing has a size, any.
-pub(super) fn augmentation_stiffness(plan: &Problem<'_>, point: &SlavePoint) -> f64 {
+pub fn augmentation_stiffness(plan: &Problem<'_>, point: &SlavePoint) -> f64 {
     let load = plan.largest_load;
     let scale = match plan.structure.stiffest > 0.0 {
         true => AUGMENTATION * plan.structure.stiffest,

@@ -7,6 +7,7 @@ use crate::observe::reports::Totals;
 use crate::observe::{Ending, Event, Observer, Stop};
 use crate::plan::Numbering;
 use crate::problem::Means;
+use crate::sensitivity::Varied;
 use crate::start::Start;
 use crate::state::State;
 use crate::values::Values;
@@ -59,6 +60,9 @@ pub struct Analysis<'a> {
     /// Whether it was said that masters leave no room.
     pub(super) room_is_judged: bool,
     pub(super) rows: &'a mut Rows,
+    /// What the run is differentiated by, and the state and start before the step.
+    pub varied: Option<&'a mut Varied>,
+    pub(super) before: Option<Box<(State, Start<'static>)>>,
 }
 
 /// Why a step was left before its end.
@@ -93,6 +97,8 @@ impl<'a> Analysis<'a> {
             tangent_is_wrong: false,
             room_is_judged: false,
             rows,
+            varied: None,
+            before: None,
         }
     }
 

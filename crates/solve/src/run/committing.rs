@@ -50,6 +50,9 @@ impl Analysis<'_> {
             ControlFlow::Continue(()) => Ok(()),
             ControlFlow::Break(stop) => Err(Left::Stopped(stop)),
         };
+        if told.is_ok() {
+            told = self.differentiate((plan, target), &numbers, work);
+        }
         if *decision == Decision::StepDone {
             told = told.and(self.judge_stabilisation(plan)).and(self.judge_balance(plan, target));
         }

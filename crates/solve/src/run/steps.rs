@@ -3,7 +3,6 @@
 use super::analysis::{Analysis, Left};
 use crate::checkpoint::Checkpoint;
 use crate::contact::Reached;
-use crate::convergence::FluxAverage;
 use crate::increments::{Control, Decision, Verdict};
 use crate::newton::Scratch;
 use crate::observe::{Ending, Event};
@@ -72,18 +71,9 @@ impl Analysis<'_> {
 
     /// One step: increments until its end, or until none can be found.
     fn step(&mut self, number: usize, work: &mut Scratch) -> Result<(), Left> {
-        self.committed.step_time = 0.0;
-        self.committed.increment_time = (0.0, 0.0);
-        self.committed.flux.iter_mut().for_each(FluxAverage::begin_step);
-        self.committed.damping.clear();
-        self.committed.stabilised = false;
+        self.note_before(number);
         let mut start = std::mem::take(self.start);
-        let own = self.plan.of_step[number - 1];
-        start.take(self.committed, &self.plan.steps[own].constraints);
-        if number == 1 {
-            self.begin_stressed(&mut start);
-        }
-        let changed = self.change_model(number, &mut start);
+        let changed = self.open_step(number, &mut start);
         let done = changed.and_then(|()| self.all_increments(number, (&start, None), work));
         *self.start = start;
         done
@@ -140,6 +130,7 @@ impl Analysis<'_> {
             } else {
                 let before = number.checked_sub(2).map(|before| &model.steps[before].presence);
                 crate::commit::locate_points(contact, before, self.committed, work.places());
+                self.differentiate_beginning(number)?;
             }
             if !begun {
                 self.begin(&problem, number, from, work)?;

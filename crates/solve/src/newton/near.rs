@@ -1,0 +1,80 @@
+//! A trial near the converged one: of another model and another history, evaluated and not solved.
+
+use super::scratch::{Scratch, solver};
+use crate::commit::recall_points;
+use crate::evaluate::evaluate_forces;
+use crate::problem::Problem;
+use crate::stabilise;
+use crate::state::State;
+use crate::target::Target;
+use slideline_linalg::{SolveError, Solver, Use};
+use slideline_mech::contact::tangential::Tangential;
+use slideline_mech::material::Clock;
+
+/// How the unknowns of an increment follow a parameter.
+#[derive(Clone, Debug, Default)]
+pub struct Rates {
+    /// Unknown displacements, an equation each.
+    pub unknowns: Vec<f64>,
+    /// Pressures that contact holds, a point each.
+    pub pressures: Vec<f64>,
+    /// Tractions likewise.
+    pub tractions: Vec<Tangential>,
+}
+
+impl Scratch {
+    /// Evaluates a neighbour of the converged trial `of`: its unknowns moved by `h` times their
+    /// rates, all else that of the neighbour.
+    pub fn evaluate_near(
+        &mut self,
+        plan: &Problem<'_>,
+        committed: &State,
+        target: &Target,
+        (of, rates, h): (&Self, &Rates, f64),
+    ) {
+        self.evaluation.fit(plan);
+        self.dashpots.forget(plan.contact);
+        recall_points(committed, self);
+        self.dt = target.dt;
+        (self.line_search, self.augment_all) = (false, false);
+        stabilise::fill(plan, committed, (target.step_time, target.dt), &mut self.dashpots);
+        self.u.clone_from(&of.u);
+        for (&dof, rate) in plan.constraints.dof_of_equation.iter().zip(&rates.unknowns) {
+            self.u[dof] += h * rate;
+        }
+        plan.prescribe(target.step_time, &mut self.u);
+        self.load.resize(of.load.len(), 0.0);
+        plan.load(target.step_time, &mut self.load);
+        self.faces.clear();
+        self.faces.extend(plan.pressures(target.step_time));
+        plan.temperatures(target.step_time, &mut self.temperatures);
+        self.turns.clone_from(&committed.turns);
+        self.clock = Clock {
+            passed: plan.step.procedure.passage.of(target.dt),
+            total: committed.total_time + target.dt,
+        };
+        plan.constraints.enforce(&self.turns, &mut self.u);
+        self.pressures.clone_from(&of.pressures);
+        self.pressures.iter_mut().zip(&rates.pressures).for_each(|(p, rate)| *p += h * rate);
+        self.tractions.clone_from(&of.tractions);
+        let moved = self.tractions.iter_mut().zip(&rates.tractions);
+        moved.for_each(|(traction, &rate)| *traction = *traction + h * rate);
+        self.standing.clone_from(&of.standing);
+        self.held.hold(std::iter::empty());
+        self.evaluate_by(plan, committed, target.dt, evaluate_forces);
+    }
+
+    /// Factors the tangent of the converged trial with these values.
+    ///
+    /// Errors: the solver's.
+    pub fn factor_converged(
+        &mut self,
+        plan: &Problem<'_>,
+        values: &[f64],
+    ) -> Result<&mut Solver, SolveError> {
+        let solver = solver(&mut self.systems);
+        solver.set_use(Use::Many);
+        solver.refactor(plan.pattern, values)?;
+        Ok(solver)
+    }
+}

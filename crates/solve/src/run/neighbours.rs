@@ -1,0 +1,335 @@
+//! A converged increment differentiated by its neighbours.
+//!
+//! ```text
+//!   rates x = 0
+//!   [ neighbours at x -> R', c' -> border answers with dx -> x + dx ]   until dx is nothing
+//!   neighbours at x -> states, frames -> derivatives
+//! ```
+//!
+//! docs/theory.md section 13.
+
+use super::shown::{Numbers, Rows, frame};
+use crate::balance::pair_rows;
+use crate::commit::commit;
+use crate::newton::{Rates, Scratch};
+use crate::observe::{Event, Frame, Observer, Sensitivity, Stop};
+use crate::problem::Problem;
+use crate::sensitivity::{
+    Border, Level, OFFSETS, Side, Surroundings, Varied, Weights, bends, combine_states,
+    is_same_branch, leaves_hard_branch, move_start, move_state,
+};
+use crate::state::State;
+use crate::tangent;
+use crate::target::Target;
+use slideline_linalg::SolveError;
+use slideline_mech::contact::tangential::Tangential;
+use slideline_model::Model;
+use std::ops::ControlFlow;
+
+/// The most corrections of the rates.
+const CORRECTIONS: usize = 20;
+/// Part of the rates that the last correction may have [1]; beyond, they are corrected again.
+const SETTLED: f64 = 1e-12;
+/// The same where rounding forbids more.
+const ROUNDED: f64 = 1e-6;
+/// Part of a correction that the next one should not exceed [1]; where it does, it is of rounding.
+const SLOW: f64 = 0.3;
+/// Places of the steps with which one side is asked.
+const ONE_SIDED: [usize; 2] = [2, 4];
+
+/// An increment that was committed.
+pub(super) struct Increment<'a> {
+    pub plan: &'a Problem<'a>,
+    pub target: &'a Target,
+    pub numbers: &'a Numbers,
+    /// The states before and after it.
+    pub old: &'a State,
+    pub new: &'a State,
+    /// Which contact rows were closed before.
+    pub closed: &'a [bool],
+    pub model: &'a Model,
+}
+
+/// What the neighbours stand in, one behind the other.
+#[derive(Default)]
+struct Room {
+    sides: [Scratch; 4],
+    before: [State; 4],
+    after: [State; 4],
+    rows: [Rows; 4],
+    rates: Rates,
+    residual: Vec<f64>,
+    defects: Vec<f64>,
+}
+
+/// What came of the neighbours.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Found {
+    /// All stand on the branch of the base.
+    Branch,
+    /// Some do not.
+    Beyond,
+    /// There is no answer.
+    Nothing,
+}
+
+impl Increment<'_> {
+    /// Differentiates by all parameters and tells of each.
+    pub fn differentiate(
+        &self,
+        varied: &mut Varied,
+        work: &mut Scratch,
+        observer: &mut dyn Observer,
+    ) -> ControlFlow<Stop> {
+        let Ok(border) = self.linearise(work) else { return ControlFlow::Continue(()) };
+        let mut room = Room::default();
+        if std::env::var("GRAD_DEBUG").is_ok() && self.target.increment <= 2 {
+            let side = &mut room.sides[0];
+            side.evaluate_near(self.plan, self.old, self.target, (work, &Rates::default(), 0.0));
+            for dof in 0..work.u.len() {
+                let (a, b) = (side.evaluation.unbalanced(dof), work.evaluation.unbalanced(dof));
+                if a != b || side.u[dof] != work.u[dof] {
+                    eprintln!(
+                        "dof {dof} {:?} u {:e} {:e} f {a:e} {b:e}",
+                        self.plan.dofs.name(dof),
+                        side.u[dof],
+                        work.u[dof]
+                    );
+                }
+            }
+            for (a, b) in side.evaluation.points.iter().zip(&work.evaluation.points) {
+                if a != b {
+                    eprintln!("point\n {a:?}\n {b:?}");
+                }
+            }
+        }
+        for course in 0..varied.courses.len() {
+            self.course((varied, course), (&border, work), &mut room, observer)?;
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// Factors the tangent of the converged trial, its laws in it.
+    fn linearise(&self, work: &mut Scratch) -> Result<Border, SolveError> {
+        let (plan, committed) = (self.plan, self.old);
+        let trial = work.trial(committed, self.target.dt);
+        let place = tangent::Place { plan, committed, trial, evaluation: &work.evaluation };
+        let mut values = tangent::assembled(&place);
+        let mut border = Border::of(&place);
+        border.lend(plan, &mut values);
+        let equations = plan.constraints.equations();
+        border.couple(equations, work.factor_converged(plan, &values)?)?;
+        Ok(border)
+    }
+
+    fn course(
+        &self,
+        (varied, course): (&mut Varied, usize),
+        by: (&Border, &mut Scratch),
+        room: &mut Room,
+        observer: &mut dyn Observer,
+    ) -> ControlFlow<Stop> {
+        let (border, work) = by;
+        let both = varied.courses[course].level.saturating_sub(1)..Varied::levels();
+        let one = ONE_SIDED.iter().flat_map(|&own| [(own, Side::Above), (own, Side::Below)]);
+        let last = (ONE_SIDED[0], Side::Above);
+        let tries = both.map(|own| (own, Side::Both)).chain(one).chain([last]);
+        let count = tries.clone().count();
+        for (number, (place, side)) in tries.enumerate() {
+            if varied.level(course, place, self.model).is_err() {
+                continue;
+            }
+            let own = &mut varied.courses[course];
+            let scale = own.parameter.scale;
+            let (level, known) = own.parts(place);
+            let weights = Weights::of(side, level.h);
+            let around = self.surroundings(level, known, room);
+            let problems = around.each_ref().map(|own| own.problem(self.plan, self.target.step));
+            let found =
+                self.settle((&problems, weights, level.h), (border, work), (known.0, scale), room);
+            let is_last = number + 1 == count;
+            if found != Found::Branch && !(is_last && found == Found::Beyond) {
+                continue;
+            }
+            let forgets = self.plan.contact.laws.iter().all(|own| !own.has_friction())
+                && self.new.elements.is_empty();
+            let one_sided = side != Side::Both || own.one_sided && !forgets;
+            self.tell((&problems, weights), (course, one_sided), room, observer)?;
+            let base = (weights.base != 0.0).then(|| self.new.clone());
+            let mut base = base.into_iter().collect::<Vec<_>>();
+            let near = weights.near.into_iter().zip(&mut room.after);
+            let all = near.filter(|(w, _)| *w != 0.0);
+            let all = all.chain(base.iter_mut().map(|own| (weights.base, own)));
+            combine_states(all, &mut own.state);
+            own.one_sided = one_sided;
+            own.level = if side == Side::Both { place } else { own.level };
+            return ControlFlow::Continue(());
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// Moves the state and the beginning of the step to the neighbours.
+    fn surroundings<'b>(
+        &self,
+        level: &'b Level,
+        (state, start): (&[f64], &[f64]),
+        room: &mut Room,
+    ) -> [Surroundings<'b>; 4] {
+        std::array::from_fn(|k| {
+            let h = OFFSETS[k] * level.h;
+            move_state(self.old, (state, h), &mut room.before[k]);
+            let start = move_start(self.plan.start, (start, h));
+            let own = &level.near[k];
+            let base = (self.plan, self.old.step_time, self.target);
+            Surroundings::new((&own.0, &own.1), base, start)
+        })
+    }
+
+    /// Corrects the rates until the neighbours keep their equations as well as the base does, and
+    /// commits the neighbours.
+    fn settle(
+        &self,
+        (problems, weights, h): (&[Problem<'_>; 4], Weights, f64),
+        (border, work): (&Border, &mut Scratch),
+        (known, scale): (&[f64], f64),
+        room: &mut Room,
+    ) -> Found {
+        self.guess(known, room);
+        let mut left = f64::INFINITY;
+        let pressed = self.new.points.iter().fold(0.0, |most: f64, own| most.max(own.pressure));
+        for _ in 0..CORRECTIONS {
+            if !self.evaluate((problems, weights, h), (border, work), room) {
+                return Found::Nothing;
+            }
+            let Room { residual, defects, rates, .. } = &mut *room;
+            if border.solve(work.solver(), (&mut *residual, &mut *defects)).is_err() {
+                return Found::Nothing;
+            }
+            let before = left;
+            left = part(residual, &rates.unknowns, largest(&work.u) / scale);
+            left = left.max(part(defects, &rates.pressures, pressed / scale));
+            if left <= SETTLED || left <= ROUNDED && left > SLOW * before {
+                break;
+            }
+            rates.unknowns.iter_mut().zip(residual).for_each(|(rate, more)| *rate += *more);
+            border.give(defects, &mut rates.pressures, &mut rates.tractions);
+        }
+        if !(left <= ROUNDED) {
+            return Found::Nothing;
+        }
+        for (k, _) in weights.each() {
+            let (before, after) = (&room.before[k], &mut room.after[k]);
+            after.copy_from(before);
+            commit(&problems[k], before, self.target, &room.sides[k], after);
+        }
+        match self.is_on_branch((problems, weights), (h, scale), room) {
+            true => Found::Branch,
+            false => Found::Beyond,
+        }
+    }
+
+    /// First rates: those of the state before.
+    fn guess(&self, known: &[f64], room: &mut Room) {
+        let (plan, points) = (self.plan, self.new.points.len());
+        let Room { rates, residual, defects, .. } = room;
+        let rate = |&dof: &usize| known.get(dof).copied().unwrap_or(0.0);
+        rates.unknowns.clear();
+        rates.unknowns.extend(plan.constraints.dof_of_equation.iter().map(rate));
+        rates.pressures.clear();
+        rates.pressures.resize(points, 0.0);
+        rates.tractions.clear();
+        rates.tractions.resize(points, Tangential::ZERO);
+        residual.clear();
+        defects.clear();
+    }
+
+    /// Evaluates the neighbours; what their equations leave over.
+    fn evaluate(
+        &self,
+        (problems, weights, h): (&[Problem<'_>; 4], Weights, f64),
+        (border, work): (&Border, &Scratch),
+        room: &mut Room,
+    ) -> bool {
+        let Room { sides, before, rates, residual, defects, .. } = room;
+        residual.clear();
+        residual.resize(self.plan.constraints.equations(), 0.0);
+        defects.clear();
+        defects.resize(border.len(), 0.0);
+        let mut add = |weight: f64, of: &Scratch, from: &State| {
+            let dofs = &self.plan.constraints.dof_of_equation;
+            for (sum, &dof) in residual.iter_mut().zip(dofs) {
+                *sum += weight * of.evaluation.unbalanced(dof);
+            }
+            border.add_defects(weight, (from, &of.evaluation.points), defects);
+        };
+        for (k, weight) in weights.each() {
+            let near = (work, &*rates, OFFSETS[k] * h);
+            sides[k].evaluate_near(&problems[k], &before[k], self.target, near);
+            let evaluation = &sides[k].evaluation;
+            if evaluation.failed.is_some() || evaluation.fault.is_some() {
+                return false;
+            }
+            add(weight, &sides[k], &before[k]);
+        }
+        if weights.base != 0.0 {
+            add(weights.base, work, self.old);
+        }
+        residual.iter().chain(&*defects).all(|value| value.is_finite())
+    }
+
+    /// Whether the neighbours stand on the branch of the base.
+    fn is_on_branch(
+        &self,
+        (problems, weights): (&[Problem<'_>; 4], Weights),
+        steps: (f64, f64),
+        room: &Room,
+    ) -> bool {
+        let mut each = weights.each();
+        let points = each.all(|(k, _)| {
+            let (points, own) = (&room.after[k].points, &self.new.points);
+            own.iter().zip(points).all(|(one, other)| is_same_branch(one, other))
+                && !leaves_hard_branch(&problems[k], &room.before[k], points)
+        });
+        points && (weights.base != 0.0 || !bends(&room.after, self.new, steps))
+    }
+
+    /// Tells how frames follow the parameter.
+    fn tell(
+        &self,
+        (problems, weights): (&[Problem<'_>; 4], Weights),
+        (parameter, one_sided): (usize, bool),
+        room: &mut Room,
+        observer: &mut dyn Observer,
+    ) -> ControlFlow<Stop> {
+        let Room { sides, after, rows, .. } = room;
+        let mut own = Rows::default();
+        let fill = |plan: &Problem<'_>, state: &State, work: &Scratch, rows: &mut Rows| {
+            rows.fill(plan, state);
+            let Rows { contact, pairs, sums, .. } = rows;
+            pair_rows(plan, state, work, (contact, self.closed), (pairs, sums));
+        };
+        for (k, _) in weights.each() {
+            fill(&problems[k], &after[k], &sides[k], &mut rows[k]);
+        }
+        let mut frames: Vec<(f64, Frame<'_>)> = Vec::with_capacity(4);
+        for (k, weight) in weights.each() {
+            frames.push((weight, frame(&problems[k], &after[k], self.numbers, &rows[k])));
+        }
+        if weights.base != 0.0 {
+            own.fill(self.plan, self.new);
+            frames.push((weights.base, frame(self.plan, self.new, self.numbers, &own)));
+        }
+        let told = Sensitivity { parameter, one_sided, frames: &frames };
+        observer.event(Event::Sensitivity(&told))
+    }
+}
+
+/// The largest change in largest rates, or in what counts as one.
+fn part(change: &[f64], of: &[f64], least: f64) -> f64 {
+    let change = largest(change);
+    if change == 0.0 { 0.0 } else { change / largest(of).max(least).max(f64::MIN_POSITIVE) }
+}
+
+fn largest(list: &[f64]) -> f64 {
+    list.iter().fold(0.0, |most: f64, own| most.max(own.abs()))
+}

@@ -1,0 +1,105 @@
+//! The parameters of a run with what the states so far owe to them.
+
+use super::neighbour::Level;
+use super::parameter::{Parameter, SensitivityFault};
+use crate::plan::Plan;
+use crate::users::UserFrictions;
+use slideline_model::Model;
+
+/// Steps that are tried, in scales of the parameter: the fourth power of the first is truncation,
+/// rounding grows with their inverse; smaller ones find back to the branch of the base.
+const STEPS: [f64; 5] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7];
+
+/// A parameter on the way through a run.
+#[derive(Debug)]
+pub struct Course {
+    /// The parameter.
+    pub parameter: Parameter,
+    /// Neighbours with the steps that were needed so far.
+    levels: Vec<Level>,
+    /// Place of the step that did last.
+    pub level: usize,
+    /// Derivative of the committed state, as `numbers` lists it.
+    pub state: Vec<f64>,
+    /// Derivative of what the step begins from.
+    pub start: Vec<f64>,
+    /// Whether the state depends on a derivative that was taken on one side.
+    pub one_sided: bool,
+}
+
+/// All parameters of a run.
+#[derive(Debug)]
+pub struct Varied {
+    /// The parameters.
+    pub courses: Vec<Course>,
+    plan: Plan,
+    users: UserFrictions,
+}
+
+impl Varied {
+    /// The parameters of a model.
+    ///
+    /// # Errors
+    /// A parameter that the model cannot be differentiated by.
+    pub fn new(
+        parameters: &[Parameter],
+        (plan, model): (&Plan, &Model),
+        users: &UserFrictions,
+    ) -> Result<Self, SensitivityFault> {
+        let mut varied = Self { courses: Vec::new(), plan: plan.clone(), users: users.clone() };
+        for parameter in parameters {
+            let parameter = parameter.clone();
+            varied.courses.push(Course {
+                parameter,
+                levels: Vec::new(),
+                level: 0,
+                state: Vec::new(),
+                start: Vec::new(),
+                one_sided: false,
+            });
+            varied.level(varied.courses.len() - 1, 0, model)?;
+        }
+        Ok(varied)
+    }
+
+    /// How many steps there are.
+    pub fn levels() -> usize {
+        STEPS.len()
+    }
+
+    /// The neighbours of a parameter with the step of that place.
+    ///
+    /// # Errors
+    /// There are none.
+    pub fn level(
+        &mut self,
+        course: usize,
+        level: usize,
+        model: &Model,
+    ) -> Result<&Level, SensitivityFault> {
+        let own = &mut self.courses[course];
+        while own.levels.len() <= level {
+            let h = STEPS[own.levels.len()] * own.parameter.scale;
+            let at = (&own.parameter, h);
+            own.levels.push(Level::new(at, (&self.plan, model, &self.users))?);
+        }
+        Ok(&own.levels[level])
+    }
+}
+
+/// Why a model has no derivative by a parameter, if it has none.
+pub fn sensitivity_fault(
+    parameter: &Parameter,
+    (plan, model): (&Plan, &Model),
+    users: &UserFrictions,
+) -> Option<SensitivityFault> {
+    Varied::new(std::slice::from_ref(parameter), (plan, model), users).err()
+}
+
+impl Course {
+    /// The neighbours with the step of a place that was made, and the derivatives of state and
+    /// start.
+    pub fn parts(&self, place: usize) -> (&Level, (&[f64], &[f64])) {
+        (&self.levels[place], (&self.state, &self.start))
+    }
+}
