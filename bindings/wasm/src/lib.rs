@@ -10,11 +10,11 @@
 use slideline_workbench::Bench;
 use std::cell::RefCell;
 
-/// What the worker gives the module.
+// What the worker gives the module.
 #[link(wasm_import_module = "bench")]
 #[allow(unsafe_code)]
 unsafe extern "C" {
-    /// Takes a text of `length` bytes of UTF-8 that stands at `start`; 0: the work is to end.
+    // Takes a text of `length` bytes of UTF-8 that stands at `start`; 0: the work is to end.
     fn say(start: *const u8, length: usize) -> i32;
 }
 

@@ -56,7 +56,7 @@ mod tests {
     /// one-sided ones up to the second.
     #[test]
     fn polynomials_are_differentiated() {
-        let at = 0.7;
+        let at: f64 = 0.7;
         for (side, degree) in [(Side::Both, 4), (Side::Below, 2), (Side::Above, 2)] {
             let h = 0.25;
             let weights = Weights::of(side, h);
