@@ -101,7 +101,7 @@ fn a_cut_in_the_dialect_of_calculix() {
         "   area, normal force (+ = tension), shear force (size), torque and bending moment (size)",
     ];
     let begin = text.find(titles[0]).unwrap_or_else(|| panic!("{text}"));
-    let mut places = titles.iter().map(|title| text[begin..].find(title).unwrap());
+    let places = titles.iter().map(|title| text[begin..].find(title).unwrap());
     assert!(places.is_sorted_by(|a, b| a < b));
     let own = &text[begin..begin + text[begin..].find("set BACK").unwrap()];
     // 4 along x and 8 along z at the head, whose centre is (1/2, 1/2, 3)
