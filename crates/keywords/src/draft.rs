@@ -23,7 +23,8 @@ use crate::rule::Subject;
 use crate::scopes::Parts;
 use crate::sets::Sets;
 use crate::surfaces::{
-    Clearance, GeneralContact, Named, NamedInteraction, NamedSurface, Pairing, RigidBody,
+    Clearance, GeneralContact, Initialization, Named, NamedInteraction, NamedSurface, Pairing,
+    RigidBody,
 };
 pub(crate) use cards::{
     Boundary, Gap, Interface, NodalThickness, Shape, Spring, StepDraft, Surface,
@@ -75,6 +76,8 @@ pub(crate) struct Draft {
     pub pairings: Vec<Pairing>,
     /// `*CONTACT`.
     pub general: Option<GeneralContact>,
+    /// `*CONTACT INITIALIZATION DATA`.
+    pub initializations: Vec<Initialization>,
     /// `*CLEARANCE`.
     pub clearances: Vec<Clearance>,
     /// Contact pairs of the model by the name of their surface interaction.

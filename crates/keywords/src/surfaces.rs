@@ -165,7 +165,16 @@ pub(crate) struct GeneralContact {
     pub exclusions: Vec<Two>,
     /// Where which surface interaction acts; the last that fits counts.
     pub properties: Vec<(Two, Named)>,
+    /// Where slaves begin otherwise, by the name of the data; the last that fits counts.
+    pub initializations: Vec<(Two, Named)>,
     pub origin: Span,
+}
+
+/// `*CONTACT INITIALIZATION DATA`: how slaves of general contact begin.
+#[derive(Clone, Debug)]
+pub(crate) struct Initialization {
+    pub named: Named,
+    pub adjusted: Adjusted,
 }
 
 /// Two surfaces of a line; without a name all outer faces.
@@ -182,11 +191,12 @@ impl Two {
     }
 }
 
-/// `ADJUST`: a distance or a set of nodes.
+/// How slaves begin: `ADJUST`, a distance or a set of nodes; or a gap.
 #[derive(Clone, Debug)]
 pub(crate) enum Adjusted {
     Within(f64),
     Set(Target),
+    Clearance(f64),
 }
 
 /// `*RIGID BODY`.

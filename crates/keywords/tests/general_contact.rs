@@ -5,10 +5,12 @@
 use slideline_deck::NoFiles;
 use slideline_diag::{Severity, Sources};
 use slideline_keywords::read;
-use slideline_model::{Dialect, Formulation, Master, Model};
+use slideline_model::{Adjust, Dialect, Formulation, Master, Model};
 
 const PLANE: &str = include_str!("../../../corpus/keywords/CONTACT.inp");
 const NAMED: &str = include_str!("../../../corpus/keywords/CONTACT-PROPERTY-ASSIGNMENT.inp");
+
+const BEGUN: &str = include_str!("../../../corpus/keywords/CONTACT-INITIALIZATION-DATA.inp");
 
 fn model(deck: &str) -> Model {
     let read = read(&mut Sources::default(), "a.inp", deck.as_bytes(), &NoFiles, Dialect::Abaqus);
@@ -92,4 +94,42 @@ fn the_last_property_that_fits_counts() {
     assert!((of("B/A") - 0.05).abs() < 1e-12 && (of("C/A") - 0.2).abs() < 1e-12, "{found:?}");
     let bare = model(PLANE);
     assert!(bare.contact_pairs.iter().all(|pair| friction(pair) == 0.0));
+}
+
+/// Requirement: slaves of the pair that a line names begin at the clearance of its data, in either
+/// order of the names, or within its distance; all others begin where they are, and every pair keeps
+/// its interaction. A name that nothing has, and what is not supported, are errors.
+#[test]
+fn slaves_begin_as_their_data_say() {
+    let adjusts = |deck: &str| -> Vec<(String, Adjust)> {
+        let pairs = model(deck).contact_pairs.into_iter();
+        let mut own: Vec<_> = pairs.map(|pair| (pair.name, pair.adjust)).collect();
+        own.sort_by(|a, b| a.0.cmp(&b.0));
+        own
+    };
+    let gap = |begun: Adjust| {
+        let of = |name: &str, own| (name.to_owned(), own);
+        vec![of("B/A", begun), of("C/A", Adjust::Nothing), of("C/B:2", Adjust::Nothing)]
+    };
+    assert_eq!(adjusts(BEGUN), gap(Adjust::Clearance(0.01)));
+    let turned = BEGUN.replace("SKIN-A, SKIN-B, LOOSE", "SKIN-B, SKIN-A, LOOSE");
+    assert_eq!(adjusts(&turned), gap(Adjust::Clearance(0.01)));
+    let near = BEGUN.replace("INITIAL CLEARANCE=0.01", "SEARCH ABOVE=0.02, SEARCH BELOW=0.1");
+    assert_eq!(adjusts(&near), gap(Adjust::Within(0.02)));
+    // the friction of DRY, which C on A has there too
+    let named = model(NAMED);
+    let dry = named.contact_pairs.iter().find(|pair| pair.name == "C/A").expect("a pair");
+    for pair in model(BEGUN).contact_pairs {
+        assert_eq!(pair.interaction.friction, dry.interaction.friction, "{}", pair.name);
+    }
+    for (old, new, code) in [
+        ("SKIN-B, LOOSE", "SKIN-B, LOSE", "SL0328"),
+        ("INITIAL CLEARANCE=0.01", "INTERFERENCE FIT", "SL0221"),
+        ("INITIAL CLEARANCE=0.01", "SEARCH ABOVE=-1.", "SL0210"),
+    ] {
+        let deck = BEGUN.replace(old, new);
+        let read =
+            read(&mut Sources::default(), "a.inp", deck.as_bytes(), &NoFiles, Dialect::Abaqus);
+        assert!(read.diagnostics.iter().any(|said| said.code.0 == code), "{new}");
+    }
 }

@@ -52,7 +52,11 @@ fn what_the_page_names_is_refused() {
         ("linear buckling", HISTORY, "*BUCKLE\n*END STEP"),
         ("(Riks)", "*STATIC", "*STATIC, RIKS"),
         ("loads across plane beams", HISTORY, "*DLOAD\nBEAM, P1, 1.0\n*END STEP"),
-        ("`*CONTACT INITIALIZATION DATA`", MODEL, "*CONTACT INITIALIZATION DATA\n*STEP"),
+        (
+            "`INTERFERENCE FIT`",
+            MODEL,
+            "*CONTACT INITIALIZATION DATA, NAME=A, INTERFERENCE FIT\n*STEP",
+        ),
         ("`ADJUST`", PAIR, "TYPE=SURFACE TO SURFACE, NO THICKNESS, ADJUST=0.1"),
     ];
     for (words, old, new) in cases {

@@ -39,6 +39,7 @@ impl Keyword for Contact {
             inclusions: Vec::new(),
             exclusions: Vec::new(),
             properties: Vec::new(),
+            initializations: Vec::new(),
             origin: card.span(),
         });
     }

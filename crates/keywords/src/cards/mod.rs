@@ -27,6 +27,8 @@ pub(crate) mod contact_controls;
 pub(crate) mod contact_exclusions;
 pub(crate) mod contact_file;
 pub(crate) mod contact_inclusions;
+pub(crate) mod contact_initialization_assignment;
+pub(crate) mod contact_initialization_data;
 pub(crate) mod contact_interference;
 pub(crate) mod contact_output;
 pub(crate) mod contact_pair;

@@ -3,7 +3,8 @@
 //! ```text
 //!    inclusions      A with B, A with C, B with C       part by part, each once
 //!    - exclusions    A with C                           and what is tied or a pair already
-//!    x properties    A with B: OIL, B with C: DRY       the last that fits
+//!    x properties    A with B: OIL, B with C: DRY       the last that fits, and so where slaves
+//!                                                    begin
 //! ```
 
 use slideline_diag::{Code, Diagnostic, Span};
@@ -16,7 +17,7 @@ use crate::draft::Draft;
 use crate::log::Target;
 use crate::rule::Subject;
 use crate::surfaces::{
-    Extent, GeneralContact, Named, NamedInteraction, NamedSurface, Pairing, Stretch, Two,
+    Adjusted, Extent, GeneralContact, Named, NamedInteraction, NamedSurface, Pairing, Stretch, Two,
 };
 
 /// Ratio of stiffnesses from which on the stiffer part is the master, whatever the meshes [1].
@@ -61,8 +62,9 @@ pub(super) fn pairings(draft: &mut Draft) {
         draft.log.push(Diagnostic::note(Code("SL0393"), message).at(general.origin));
     }
     let mut made = Made { general: &general, names: Vec::new(), count: 0 };
-    for (interaction, meeting) in with_properties(&general, meetings, &skin, draft) {
-        made.pair(interaction, meeting, &skin, draft);
+    for (interaction, data, meeting) in with_properties(&general, meetings, &skin, draft) {
+        let adjust = data.and_then(|named| initialization(&named, draft));
+        made.pair((interaction, adjust), meeting, &skin, draft);
     }
     if made.count == 0 {
         let message = "this general contact has no two parts that could touch";
@@ -179,34 +181,70 @@ fn outside(meetings: Vec<Meeting>, by: &Meeting) -> Vec<Meeting> {
     left.iter().flat_map(|meeting| cut(meeting, &turned).1).collect()
 }
 
-/// The meetings with the interaction of the last property that fits; `None` without.
+/// A meeting with the names that the last lines that fit give it: interaction and initialization;
+/// `None` without.
+type Assigned = (Option<Named>, Option<Named>, Meeting);
+
 fn with_properties(
     general: &GeneralContact,
     meetings: Vec<Meeting>,
     skin: &Skin,
     draft: &mut Draft,
-) -> Vec<(Option<Named>, Meeting)> {
+) -> Vec<Assigned> {
+    let meetings = meetings.into_iter().map(|meeting| ((), meeting)).collect();
+    let with = cut_by(&general.properties, meetings, skin, draft);
+    let with = with.into_iter().map(|((), interaction, meeting)| (interaction, meeting)).collect();
+    cut_by(&general.initializations, with, skin, draft)
+}
+
+/// Meetings cut by the lines that fit them, the last line first; each with what it had and with the
+/// name of its line.
+fn cut_by<K: Clone>(
+    lines: &[(Two, Named)],
+    meetings: Vec<(K, Meeting)>,
+    skin: &Skin,
+    draft: &mut Draft,
+) -> Vec<(K, Option<Named>, Meeting)> {
     let (mut found, mut left) = (Vec::new(), meetings);
-    for (two, interaction) in general.properties.iter().rev() {
+    for (two, named) in lines.iter().rev() {
         let everywhere = two.first.is_none() && two.second.is_none();
         if everywhere {
-            found.extend(left.drain(..).map(|meeting| (Some(interaction.clone()), meeting)));
+            found.extend(left.drain(..).map(|(own, meeting)| (own, Some(named.clone()), meeting)));
             break;
         }
         for by in sides(two, skin, draft).unwrap_or_default() {
             let turned = [by[1].clone(), by[0].clone()];
             for by in [by, turned] {
                 let mut rest = Vec::new();
-                for meeting in left {
+                for (own, meeting) in left {
                     let (inside, others) = cut(&meeting, &by);
-                    found.extend(inside.map(|inside| (Some(interaction.clone()), inside)));
-                    rest.extend(others);
+                    let inside = inside.map(|inside| (own.clone(), Some(named.clone()), inside));
+                    found.extend(inside);
+                    rest.extend(others.into_iter().map(|other| (own.clone(), other)));
                 }
                 left = rest;
             }
         }
     }
-    found.extend(left.into_iter().map(|meeting| (None, meeting)));
+    found.extend(left.into_iter().map(|(own, meeting)| (own, None, meeting)));
+    found
+}
+
+/// The `*CONTACT INITIALIZATION DATA` of that name; complains where there is none.
+fn initialization(named: &Named, draft: &mut Draft) -> Option<(Adjusted, Span)> {
+    let found = draft.initializations.iter().find(|data| data.named.name == named.name);
+    let found = found.map(|data| (data.adjusted.clone(), named.span));
+    if found.is_none() {
+        let message =
+            format!("there is no *CONTACT INITIALIZATION DATA of the name {}", named.name);
+        let error = Diagnostic::error(Code("SL0328"), message).at(named.span);
+        let names = draft.initializations.iter().map(|data| data.named.name.as_str());
+        let help = match slideline_deck::nearest(&named.name, names) {
+            Some(near) => format!("did you mean {near}?"),
+            None => format!("define it: *CONTACT INITIALIZATION DATA, NAME={}", named.name),
+        };
+        draft.consequence(Subject::Contact, error.help(help));
+    }
     found
 }
 
@@ -221,7 +259,7 @@ impl Made<'_> {
     /// Makes the pairs of a meeting; its roles follow from stiffness and mesh.
     fn pair(
         &mut self,
-        interaction: Option<Named>,
+        (interaction, adjust): (Option<Named>, Option<(Adjusted, Span)>),
         meeting: Meeting,
         skin: &Skin,
         draft: &mut Draft,
@@ -257,7 +295,7 @@ impl Made<'_> {
                 smooth: SMOOTH,
                 extension: EXTENSION,
                 chain_parameter: None,
-                adjust: None,
+                adjust: adjust.clone(),
                 no_thickness: true,
                 is_tied: false,
                 alone: false,

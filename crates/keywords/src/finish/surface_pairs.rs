@@ -190,6 +190,7 @@ fn put_together(
     let adjust = match &pairing.adjust {
         None => Adjust::Nothing,
         Some((Adjusted::Within(distance), _)) => Adjust::Within(*distance),
+        Some((Adjusted::Clearance(value), _)) => Adjust::Clearance(*value),
         Some((Adjusted::Set(set), span)) => Adjust::Nodes(draft.nodes_of(set, *span)),
     };
     let normal = as_read(pairing.formulation, &interaction.normal, draft.dialect);

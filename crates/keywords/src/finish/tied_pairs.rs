@@ -41,7 +41,7 @@ pub(super) fn tie(pairing: &Pairing, draft: &mut Draft) {
             draft.log.note("SL0257", message, *span);
             (None, false)
         }
-        None => (None, false),
+        Some((Adjusted::Clearance(_), _)) | None => (None, false),
     };
     let named = |entry: &&NamedInteraction| entry.named.name == pairing.interaction.name;
     let law = draft.interactions.iter().find(named).filter(|entry| entry.is_tied);

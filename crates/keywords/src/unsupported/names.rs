@@ -108,8 +108,6 @@ pub(super) const GROUPS: &[Group] = &[
         Unsupported,
         "write contact with *SURFACE, *SURFACE INTERACTION and *CONTACT PAIR, one for each pair",
         &[
-            "CONTACT INITIALIZATION ASSIGNMENT",
-            "CONTACT INITIALIZATION DATA",
             "CONTACT STABILIZATION",
             "SURFACE SMOOTHING",
             "CONTACT PERMEABILITY",
