@@ -135,7 +135,7 @@ fn page(path: &Path, arguments: &WorkbenchArguments, deck: Option<&Deck>) -> Exi
         Err(reason) => {
             screen::error(&format!(
                 "error[SL0701]: the solver as WebAssembly, {}, cannot be read: {reason}\n  = help: \
-                 scripts/wasm builds it; name it with --module, or put it beside the program\n",
+                 docs/workbench.md says what it is; name it with --module, or put it beside the program\n",
                 module.display()
             ));
             return Exit::Input;

@@ -12,6 +12,11 @@ use slideline_model::{OutputRequests, PrintTarget, Request};
 use slideline_solve::observe::{Event, Frame, StepReport};
 use std::fmt::Write as _;
 
+/// The first line: who wrote it, of which job.
+pub(crate) fn heading(version: &str, job: &str) -> String {
+    format!("slideline {version}   job {job}")
+}
+
 /// Writes `JOB.dat`. Tables wait in a file beside it until the run is over;
 /// a deck without tables has its file at once.
 pub(crate) struct Dat {
@@ -58,7 +63,7 @@ impl Dat {
 
     /// What was understood, and of which job. A String takes any text.
     fn push_echo(&self, text: &mut String, report: &StepReport<'_>) {
-        let _ = writeln!(text, "slideline {}   job {}\n", self.version, self.job.name());
+        let _ = writeln!(text, "{}\n", heading(&self.version, &self.job.name()));
         if let Some(Origin { job, step, increment }) = &self.origin {
             let _ = writeln!(
                 text,

@@ -214,18 +214,23 @@ fn committed(text: &mut String, frame: &Frame<'_>) {
 }
 
 fn attempt_failed(text: &mut String, attempt: &AttemptReport) {
+    line!(
+        text,
+        "  ATTEMPT {} OF INCREMENT {} IS GIVEN UP (time increment {}): {}",
+        attempt.attempt,
+        attempt.increment,
+        general(attempt.time_increment, 6),
+        given_up(attempt)
+    );
+}
+
+/// Why an attempt is given up, and what follows.
+pub(crate) fn given_up(attempt: &AttemptReport) -> String {
     let next = attempt.next.map_or_else(
         || "no further attempt".to_owned(),
         |next| format!("next attempt with time increment {}", general(next, 6)),
     );
-    line!(
-        text,
-        "  ATTEMPT {} OF INCREMENT {} IS GIVEN UP (time increment {}): {}; {next}",
-        attempt.attempt,
-        attempt.increment,
-        general(attempt.time_increment, 6),
-        attempt.reason
-    );
+    format!("{}; {next}", attempt.reason)
 }
 
 fn diagnosed(text: &mut String, said: &Diagnostic, sources: &Sources) {

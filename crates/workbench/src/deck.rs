@@ -6,6 +6,9 @@ use serde_json::{Value, json};
 use slideline::output::{KEY_FIGURES, record};
 use slideline::{Model, Parametric, Read};
 
+/// Reads a deck: name and text.
+pub(crate) type Reads = dyn Fn(&str, &str) -> Read;
+
 /// A deck that was read.
 pub(crate) struct Opened {
     /// Its name, with `.inp`.
@@ -22,7 +25,7 @@ pub(crate) struct Opened {
 
 impl Opened {
     /// That of a text, read by `read`. Ranges that are said stand above those of the deck.
-    pub fn new(name: &str, text: &str, said: &[Range], read: &dyn Fn(&str, &str) -> Read) -> Self {
+    pub fn new(name: &str, text: &str, said: &[Range], read: &Reads) -> Self {
         let own = read(name, text);
         let limits = [ranges(&own.deck), said.to_vec()].concat();
         let mut sliders = declared(&own.deck, &limits);

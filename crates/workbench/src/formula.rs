@@ -9,7 +9,7 @@
 //!
 //! The rule takes a straight arm of constant section whose slope and axial force are left out, and a
 //! hook that touches at its end alone. [Bayer MaterialScience, Snap-Fit Joints for Plastics, 2013;
-//! BASF, Snap-Fit Design Manual, 2007]
+//! BASF, Snap-Fit Design Manual, 2007; theory (11.7)]
 
 use serde_json::{Value, json};
 use slideline::Model;
@@ -195,7 +195,7 @@ impl Hook {
     }
 
     /// Why what was solved is another force: a tip load W along the arm, at a deflection y, takes
-    /// 6 W y/(5 L) from the transverse force (the geometric stiffness of a cantilever).
+    /// 6 W y/(5 L) from the transverse force. [theory (11.8)]
     fn reason(&self, (force, height, factor): (f64, f64, f64), solved: Option<f64>) -> String {
         let Some(solved) = solved.filter(|_| force > 0.0) else {
             return "there is no solved push-in force to compare it with".to_owned();

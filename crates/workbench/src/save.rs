@@ -1,7 +1,7 @@
 //! A state of the bench as a deck, as a script of Python, as a report.
 
 use crate::answers::{overtaken, refused};
-use crate::deck::Opened;
+use crate::deck::{Opened, Reads};
 use crate::markdown::fragment;
 use crate::solve::{Room, Silent};
 use crate::values::{Values, written};
@@ -16,7 +16,7 @@ use std::fmt::Write as _;
 pub(crate) fn save(
     opened: &Opened,
     values: &Values,
-    (room, read): (&mut Room, &dyn Fn(&str, &str) -> Read),
+    (room, read): (&mut Room, &Reads),
     (id, asked): (&Value, &Value),
     say: &mut dyn FnMut(&str) -> bool,
 ) -> Value {

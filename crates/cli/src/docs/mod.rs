@@ -44,6 +44,7 @@ const WRITTEN: &[(&str, &str)] = &[
     ("ccx", include_str!("../../../../docs/ccx.md")),
     ("meshes", include_str!("../../../../docs/meshes.md")),
     ("files", include_str!("../../../../docs/files.md")),
+    ("workbench", include_str!("../../../../docs/workbench.md")),
     ("report", include_str!("../../../../docs/report.md")),
     ("restart", include_str!("../../../../docs/restart.md")),
     ("studies", include_str!("../../../../docs/studies.md")),

@@ -20,6 +20,7 @@ const MENU: &[(&str, &str)] = &[
     ("getting-started", "Getting started"),
     ("snap-fit", "A snap-fit"),
     ("paper", "The paper's problem"),
+    ("workbench", "The workbench"),
     ("files", "Result files"),
     ("report", "The report"),
     ("studies", "Studies"),

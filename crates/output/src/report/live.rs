@@ -14,6 +14,7 @@ use super::results::Results;
 use super::verdict::{headline, judged, sentences, tiles};
 use crate::echo::model_echo;
 use crate::json::{Value, json};
+use crate::msg::given_up;
 use crate::reading::summary::{Driven, driven, loaded};
 use crate::summary::Summary;
 use crate::verdict::attached;
@@ -52,6 +53,12 @@ pub struct Told {
     pub places: [Option<usize>; 2],
 }
 
+/// The opening of `JOB.dat`.
+fn echo(heading: String, step: &StepReport<'_>) -> String {
+    let echo = model_echo(step.model, &step.start);
+    format!("{heading}\n\n{}", echo.trim_end())
+}
+
 impl Live {
     /// One of a run that has not begun; with or without its shapes.
     pub fn new(shapes: bool) -> Self {
@@ -68,7 +75,7 @@ impl Live {
             Event::Iteration(report) => iterated(&mut self.results.attempts, report),
             Event::AttemptFailed(report) => {
                 if let Some(last) = self.results.attempts.last_mut() {
-                    last.reason = Some(report.reason.clone());
+                    last.reason = Some(given_up(report));
                 }
             }
             Event::Committed(frame) => self.follow(frame, summary),
@@ -82,7 +89,7 @@ impl Live {
         results.summary = summary.running();
         results.driven = driven(&results.summary);
         results.loaded = loaded(&results.summary);
-        results.echo = model_echo(step.model, &step.start).trim_end().to_owned();
+        results.echo = echo(summary.heading(), step);
         results.history = summary.curves().1.clone();
         results.energies = summary.curves().0.clone();
         if self.stride.is_none() {

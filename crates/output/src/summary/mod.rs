@@ -3,6 +3,7 @@
 mod memory;
 
 use crate::clock::Clock;
+use crate::dat::heading;
 use crate::facts::{Earlier, Facts, Status};
 use crate::file::{WriteError, replace};
 use crate::job::JobFiles;
@@ -198,6 +199,11 @@ impl<'a> Summary<'a> {
     /// What is written of a run that goes on.
     pub fn running(&self) -> Value {
         self.object(Status::Running, None)
+    }
+
+    /// The first line of `JOB.dat`.
+    pub fn heading(&self) -> String {
+        heading(self.facts.version, &self.job.name())
     }
 
     /// Energies and histories so far.
