@@ -7,13 +7,18 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 static ASKED: AtomicBool = AtomicBool::new(false);
 
-/// Listens from now on.
+/// Listens from now on, for a run.
 pub(crate) fn listen() {
-    let heard = || {
+    listen_saying("\ninterrupted: finishing the increment; once more to stop at once\n");
+}
+
+/// The same with other words for who interrupts.
+pub(crate) fn listen_saying(words: &'static str) {
+    let heard = move || {
         if ASKED.swap(true, Ordering::SeqCst) {
             std::process::exit(crate::exit::Exit::Interrupted as i32);
         }
-        screen::error("\ninterrupted: finishing the increment; once more to stop at once\n");
+        screen::error(words);
     };
     let _ = ctrlc::set_handler(heard); // without it Ctrl-C ends the process, as anywhere
 }

@@ -97,7 +97,7 @@ fn serve(arguments: &WorkbenchArguments, deck: Option<Deck>) -> Exit {
             return Exit::Output;
         }
     };
-    interrupt::listen();
+    interrupt::listen_saying("\nthe workbench has ended\n");
     screen::print(&format!(
         "{}\nThe address opens once. Ctrl-C ends the workbench.\n",
         server.address()
