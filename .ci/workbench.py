@@ -76,12 +76,14 @@ def scrubbing(browser):
     browser.mouse("mousePressed", x + 0.3 * width, y + height / 2, True)
     browser.mouse("mouseReleased", x + 0.3 * width, y + height / 2)
     first, beam = browser.evaluate(place), browser.evaluate("document.querySelector('path.beam').getAttribute('d')")
+    picture = browser.evaluate("document.getElementById('curve').toDataURL()")
     browser.evaluate("document.getElementById('curve').focus()")
     for _ in range(5):
         browser.key("ArrowRight")
     browser.until(f"{place} === {first + 5}")
     assert browser.evaluate("document.querySelector('path.beam').getAttribute('d')") != beam, "the shape stands still"
     assert browser.evaluate("Number(document.getElementById('frame').value)") == first + 5
+    browser.until(f"document.getElementById('curve').toDataURL() !== {picture!r}")
     assert "force" in browser.evaluate("document.getElementById('readoff').textContent")
 
 
@@ -209,6 +211,7 @@ def editing(browser, pictures):
     browser.key("Enter")
     browser.until("Workbench.deck.sound")
     assert browser.evaluate("document.getElementById('text').value") == text, "the completed text is another one"
+    assert browser.evaluate("document.getElementById('completions').hidden"), "completion goes on"
     settled(browser)
     browser.evaluate("document.getElementById('text').focus()")
     browser.key("F1")

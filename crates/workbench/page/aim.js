@@ -50,6 +50,8 @@
     });
   }
   W.on("idle", pump);
+  // what was said of other values is over
+  for (const name of ["marks", "values"]) W.on(name, () => { if (!asked && !next && W.by("aim-said").classList.contains("bad")) say("Type a value, or drag a peak of the curve."); });
 
   W.aim = {
     choose(name) {

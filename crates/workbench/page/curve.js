@@ -65,6 +65,7 @@
         plot.dot(run.travel[place], run.force[place], ink.ink, ink.paper, 5);
       }
     });
+    if (run.end && !run.curves.length) plot.text("Nothing is driven in this deck: there is no force over a travel.", (plot.L + plot.W) / 2, plot.H / 3, "center", ink.soft);
     keys(run);
     W.tell("painted");
   }

@@ -12,8 +12,8 @@
   function choose(k) {
     chosen = (k + words.length) % words.length;
     Array.from(W.by("completions").children).forEach((item, i) => item.setAttribute("aria-selected", String(i === chosen)));
-    const own = W.by("completions").children[chosen];
-    own.scrollIntoView({ block: "nearest" });
+    const list = W.by("completions"), own = list.children[chosen];
+    list.scrollTop = Math.max(own.offsetTop + own.offsetHeight - list.clientHeight, Math.min(list.scrollTop, own.offsetTop));
     W.text.area.setAttribute("aria-activedescendant", own.id);
   }
 
@@ -23,11 +23,11 @@
     const line = area.value.slice(0, place).split("\n").pop();
     let typed = 0;
     for (let n = Math.min(word.length, line.length); n > 0; n--) if (line.slice(-n).toUpperCase() === word.slice(0, n).toUpperCase()) { typed = n; break; }
+    close();
     area.focus();
     area.setSelectionRange(place - typed, place);
     // keeps the browser's own undo of the text
     if (!document.execCommand("insertText", false, word)) area.setRangeText(word, place - typed, place, "end");
-    close();
     W.text.typed();
   }
 
