@@ -215,6 +215,8 @@ def editing(browser, pictures):
     assert browser.evaluate("document.getElementById('chart').dataset.current") == "false", "a stale curve is current"
     assert "SL" in browser.evaluate("document.querySelector('.problem.error').textContent")
     browser.picture(pictures / "error.png")
+    moved = value(browser, "thickness")
+    assert moved != 1.5, "the slider stands where the deck has it: nothing is shown by its staying"
     # the keyword is typed again and completed
     browser.evaluate(f"document.getElementById('text').setSelectionRange({place}, {place + 9})")
     browser.call("Input.insertText", text="*MATER")
@@ -226,6 +228,7 @@ def editing(browser, pictures):
     browser.until("Workbench.deck.sound")
     assert browser.evaluate("document.getElementById('text').value") == text, "the completed text is another one"
     assert browser.evaluate("document.getElementById('completions').hidden"), "completion goes on"
+    assert value(browser, "thickness") == moved, "an error has moved a slider"
     settled(browser)
     browser.evaluate("document.getElementById('text').focus()")
     browser.key("F1")
