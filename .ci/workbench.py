@@ -174,8 +174,22 @@ def named(browser):
         if role in roles and not node.get("ignored") and not node.get("name", {}).get("value", "").strip():
             nameless.append(browser.call("DOM.describeNode", backendNodeId=node["backendDOMNodeId"])["node"].get("attributes"))
     assert not nameless, f"without a name: {nameless[:5]}"
-    live = browser.evaluate("document.querySelector('#verdict [aria-live=polite]').textContent")
-    assert live.strip(), "the verdict is not said"
+    browser.until("document.getElementById('heard').textContent.startsWith(document.getElementById('verdict-title').textContent)")
+
+
+def stopping(browser):
+    """A solve that is stopped leaves a curve that is not current; the next value solves again."""
+    settled(browser)
+    browser.evaluate("""(() => {
+      let stopped = false;
+      Workbench.on('points', () => { if (!stopped) { stopped = true; Workbench.stop(); } });
+      const own = Workbench.deck.parameters[0];
+      Workbench.set(own.name, 1.01 * own.value, false);
+    })()""")
+    browser.until("document.getElementById('verdict-title').textContent === 'Stopped'")
+    assert browser.evaluate("document.getElementById('chart').dataset.current") == "false"
+    browser.evaluate("Workbench.set(Workbench.deck.parameters[0].name, Workbench.deck.parameters[0].value, false)")
+    settled(browser)
 
 
 def losing(browser, served):
@@ -201,6 +215,8 @@ def editing(browser, pictures):
     assert browser.evaluate("document.getElementById('chart').dataset.current") == "false", "a stale curve is current"
     assert "SL" in browser.evaluate("document.querySelector('.problem.error').textContent")
     browser.picture(pictures / "error.png")
+    moved = value(browser, "thickness")
+    assert moved != 1.5, "the slider stands where the deck has it: nothing is shown by its staying"
     # the keyword is typed again and completed
     browser.evaluate(f"document.getElementById('text').setSelectionRange({place}, {place + 9})")
     browser.call("Input.insertText", text="*MATER")
@@ -212,6 +228,7 @@ def editing(browser, pictures):
     browser.until("Workbench.deck.sound")
     assert browser.evaluate("document.getElementById('text').value") == text, "the completed text is another one"
     assert browser.evaluate("document.getElementById('completions').hidden"), "completion goes on"
+    assert value(browser, "thickness") == moved, "an error has moved a slider"
     settled(browser)
     browser.evaluate("document.getElementById('text').focus()")
     browser.key("F1")
@@ -327,6 +344,7 @@ def drive(browser, program, folder, pictures, name, tolerance, idle):
     pinning(browser)
     tolerances(browser)
     locking(browser)
+    stopping(browser)
     named(browser)
     looks(browser, pictures, name)
     editing(browser, pictures)

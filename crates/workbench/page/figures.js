@@ -111,9 +111,22 @@
     box.querySelector("p").textContent = rest.filter(Boolean).join(" ");
   }
 
+  // Who hears the page hears a verdict once a hand has let go, not every curve on the way.
+  let hearing = null;
+  function heard() {
+    clearTimeout(hearing);
+    hearing = setTimeout(() => {
+      if (W.busy() || W.moving) return;
+      const first = W.current() ? tiles(W.last.end).slice(0, 2).map((one) => one.name + " " + one.text) : [];
+      const text = [W.by("verdict-title").textContent].concat(first).join(", ");
+      if (W.by("heard").textContent !== text) W.by("heard").textContent = text;
+    }, 400);
+  }
+
   W.say = () => {
     const run = W.last;
     verdict(run);
+    heard();
     figures(run);
     formula();
   };

@@ -68,18 +68,23 @@
     return names.length === Object.keys(b).length && names.every((name) => a[name] === b[name]);
   };
 
-  // A deck has come: values that a hand has set stay where the deck did not change them.
+  // A deck has come. Values that a hand has set stay where the text did not change them; while the
+  // text has errors the sliders stay those of the last sound one.
+  let sound = null;
   W.receive = (deck) => {
-    const before = W.deck, old = {};
-    for (const parameter of before ? before.parameters : []) old[parameter.name] = parameter.value;
-    const kept = {};
-    for (const parameter of deck.parameters) {
-      const mine = W.values[parameter.name];
-      const moved = before && Number.isFinite(mine) && old[parameter.name] === parameter.value;
-      kept[parameter.name] = moved ? mine : parameter.value;
+    const old = {};
+    for (const parameter of sound ? sound.parameters : []) old[parameter.name] = parameter.value;
+    if (!deck.sound && sound) deck.parameters = sound.parameters;
+    else {
+      const kept = {};
+      for (const parameter of deck.parameters) {
+        const mine = W.values[parameter.name];
+        kept[parameter.name] = Number.isFinite(mine) && old[parameter.name] === parameter.value ? mine : parameter.value;
+      }
+      W.values = kept;
     }
+    if (deck.sound) sound = deck;
     W.deck = deck;
-    W.values = deck.sound || deck.parameters.length ? kept : W.values;
     if (W.wanted) {
       const wanted = W.wanted;
       W.wanted = null;
