@@ -76,6 +76,18 @@ def test_an_evaluator_has_the_bits_of_a_sweep(named):
     assert evaluator.evaluate(np.empty((0, 2))).shape == (0, 2)
 
 
+def test_a_jacobian_is_that_of_differences(named):
+    evaluator = slideline.Evaluator(named, ["mu", "thickness"], RESPONSES)
+    point = np.array([0.2, 1.5e-3])
+    values, exact = evaluator.evaluate_with_jacobian(point)
+    assert np.array_equal(values, evaluator.evaluate(point)) and exact.shape == (len(values), 2)
+    steps = np.diag(1e-4 * point)
+    found = evaluator.evaluate(np.vstack([point + steps, point - steps]))
+    slopes = (found[:2] - found[2:]).T / (2e-4 * point)
+    assert np.allclose(exact, slopes, rtol=1e-4, atol=1e-4 * np.abs(values)[:, None] / point)
+    assert evaluator.jacobian([point, point]).shape == (2, len(values), 2)
+
+
 def test_an_evaluator_tells_failures_and_wrong_input(named):
     evaluator = slideline.Evaluator(named, ["thickness"], {"force": "peak(RF2@9999)"})
     points = [[1.5e-3], [-1.0]]

@@ -11,8 +11,8 @@ use slideline_output::{
     Facts, Formats, JobFiles, Past, Status, WriteError, Writers, dropped_friction,
     remove_stale_lock,
 };
+use slideline_solve::Checkpoint;
 use slideline_solve::observe::{Ending, Event, Frame, Observer, Stop, Totals};
-use slideline_solve::{Checkpoint, Parameter, Plan, Workspace};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 
@@ -62,7 +62,8 @@ impl Observer for Quiet {
 /// without any text leaves nothing.
 pub fn run(read: &Read, options: &RunOptions, observer: &mut dyn Observer) -> Outcome {
     let files = read.job.files(options.folder.as_deref());
-    let chosen = match chosen(read, options) {
+    let by = (&options.solve.user_frictions, options.restart);
+    let chosen = match Chosen::wanted(read, options.sensitivities, by) {
         Ok(chosen) => chosen,
         Err(said) => return ended(Status::InputError, files, vec![*said], None),
     };
@@ -113,9 +114,7 @@ pub fn run(read: &Read, options: &RunOptions, observer: &mut dyn Observer) -> Ou
     let mut watch = Watch::new(writers, observer, model, dropped_work);
     watch.tell_all(&chosen.said);
     let ending = match from {
-        None if !chosen.parameters.is_empty() => {
-            differentiated(model, (options, &chosen.parameters), &mut watch)
-        }
+        None if !chosen.names.is_empty() => chosen.run(model, &options.solve, &mut watch),
         None => Some(slideline_solve::run(model, &options.solve, &mut watch)),
         Some(from) => slideline_solve::run_from(model, &options.solve, from, &mut watch),
     };
@@ -124,26 +123,6 @@ pub fn run(read: &Read, options: &RunOptions, observer: &mut dyn Observer) -> Ou
         // the state was held against the model before
         None => ended(Status::InternalError, files, Vec::new(), None),
     }
-}
-
-/// What the run is differentiated by.
-fn chosen(read: &Read, options: &RunOptions) -> Result<Chosen, Box<Diagnostic>> {
-    match &read.model {
-        Some(model) if options.sensitivities => {
-            Chosen::of(read, model, (&options.solve.user_frictions, options.restart))
-        }
-        _ => Ok(Chosen::none()),
-    }
-}
-
-/// A run with its sensitivities; `None`: the parameters that were chosen are none of the model.
-fn differentiated(
-    model: &Model,
-    (options, parameters): (&RunOptions, &[Parameter]),
-    watch: &mut Watch<'_>,
-) -> Option<Ending> {
-    let mut workspace = Workspace::new(&Plan::of(model), &options.solve);
-    workspace.run_differentiated(model, parameters, watch).ok()?.ok()
 }
 
 /// The state of an earlier job that a deck with `*RESTART, READ` begins with.

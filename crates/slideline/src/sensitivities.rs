@@ -5,25 +5,49 @@ use crate::read::Read;
 use slideline_diag::{Code, Diagnostic};
 use slideline_keywords::Setting;
 use slideline_model::Model;
-use slideline_solve::{Parameter, Plan, UserFrictions, sensitivity_fault};
+use slideline_solve::observe::{Ending, Observer};
+use slideline_solve::{Options, Parameter, Plan, UserFrictions, Workspace, sensitivity_fault};
 use std::sync::Arc;
 
 /// Parameters that a run can be differentiated by, and what is to be said of the others.
 pub(crate) struct Chosen {
-    pub parameters: Vec<Parameter>,
+    parameters: Vec<Parameter>,
     pub names: Vec<String>,
     pub said: Vec<Diagnostic>,
 }
 
 impl Chosen {
     /// None: the run is not differentiated.
-    pub fn none() -> Self {
+    fn none() -> Self {
         Self { parameters: Vec::new(), names: Vec::new(), said: Vec::new() }
+    }
+
+    /// Those of a deck that was read, where they are wanted; `Err`: as [`Chosen::of`].
+    pub fn wanted(
+        read: &Read,
+        wanted: bool,
+        by: (&UserFrictions, bool),
+    ) -> Result<Self, Box<Diagnostic>> {
+        match &read.model {
+            Some(model) if wanted => Self::of(read, model, by),
+            _ => Ok(Self::none()),
+        }
+    }
+
+    /// Runs a model with its sensitivities; `None`: the parameters are none of the model.
+    pub fn run(
+        &self,
+        model: &Model,
+        options: &Options,
+        observer: &mut dyn Observer,
+    ) -> Option<Ending> {
+        let mut workspace = Workspace::new(&Plan::of(model), options);
+        workspace.run_differentiated(model, &self.parameters, observer).ok()?.ok()
     }
 
     /// The numbers of a deck that was read. `Err`: there are none, or the run goes on from a saved
     /// state, which does not know its derivatives.
-    pub fn of(
+    fn of(
         read: &Read,
         model: &Model,
         (users, restarts): (&UserFrictions, bool),

@@ -132,6 +132,8 @@ impl Varied {
     /// of the response.
     pub fn check(&self, steps: &[f64], tolerance: f64) -> Seen {
         let seen = self.differentiated();
+        let plain = self.plain(0, self.values[0]);
+        assert_eq!(seen.rows, plain.rows, "the run itself has other bits");
         let mut wrong = String::new();
         for (k, name) in self.names.iter().enumerate() {
             let differences = self.differences(k, steps[k.min(steps.len() - 1)]);

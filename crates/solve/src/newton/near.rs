@@ -5,7 +5,7 @@ use crate::commit::recall_points;
 use crate::evaluate::evaluate_forces;
 use crate::problem::Problem;
 use crate::stabilise;
-use crate::state::State;
+use crate::state::{PointState, State};
 use crate::target::Target;
 use slideline_linalg::{SolveError, Solver, Use};
 use slideline_mech::contact::tangential::Tangential;
@@ -32,18 +32,49 @@ impl Scratch {
         target: &Target,
         (of, rates, h): (&Self, &Rates, f64),
     ) {
+        self.u.clone_from(&of.u);
+        for (&dof, rate) in plan.constraints.dof_of_equation.iter().zip(&rates.unknowns) {
+            self.u[dof] += h * rate;
+        }
+        self.pressures.clone_from(&of.pressures);
+        self.pressures.iter_mut().zip(&rates.pressures).for_each(|(p, rate)| *p += h * rate);
+        self.tractions.clone_from(&of.tractions);
+        let moved = self.tractions.iter_mut().zip(&rates.tractions);
+        moved.for_each(|(traction, &rate)| *traction = *traction + h * rate);
+        self.standing.clone_from(&of.standing);
+        self.evaluate_there(plan, committed, target);
+    }
+
+    /// Evaluates the state that an increment was committed with, once more: what was done since may
+    /// have used the room of the iterations.
+    pub fn evaluate_committed(
+        &mut self,
+        plan: &Problem<'_>,
+        committed: &State,
+        target: &Target,
+        now: &State,
+    ) {
+        self.u.clone_from(&now.displacement);
+        self.pressures.clear();
+        self.pressures.extend(now.points.iter().map(|point| point.pressure));
+        self.tractions.clear();
+        self.tractions.extend(now.points.iter().map(|point| point.traction));
+        self.standing.clear();
+        let face = |point: &PointState| point.footing.map(|footing| footing.place.face);
+        self.standing.extend(now.points.iter().map(face));
+        self.evaluate_there(plan, committed, target);
+    }
+
+    /// Evaluates unknowns and estimates that were set, with all that the time prescribes.
+    fn evaluate_there(&mut self, plan: &Problem<'_>, committed: &State, target: &Target) {
         self.evaluation.fit(plan);
         self.dashpots.forget(plan.contact);
         recall_points(committed, self);
         self.dt = target.dt;
         (self.line_search, self.augment_all) = (false, false);
         stabilise::fill(plan, committed, (target.step_time, target.dt), &mut self.dashpots);
-        self.u.clone_from(&of.u);
-        for (&dof, rate) in plan.constraints.dof_of_equation.iter().zip(&rates.unknowns) {
-            self.u[dof] += h * rate;
-        }
         plan.prescribe(target.step_time, &mut self.u);
-        self.load.resize(of.load.len(), 0.0);
+        self.load.resize(self.u.len(), 0.0);
         plan.load(target.step_time, &mut self.load);
         self.faces.clear();
         self.faces.extend(plan.pressures(target.step_time));
@@ -54,12 +85,6 @@ impl Scratch {
             total: committed.total_time + target.dt,
         };
         plan.constraints.enforce(&self.turns, &mut self.u);
-        self.pressures.clone_from(&of.pressures);
-        self.pressures.iter_mut().zip(&rates.pressures).for_each(|(p, rate)| *p += h * rate);
-        self.tractions.clone_from(&of.tractions);
-        let moved = self.tractions.iter_mut().zip(&rates.tractions);
-        moved.for_each(|(traction, &rate)| *traction = *traction + h * rate);
-        self.standing.clone_from(&of.standing);
         self.held.hold(std::iter::empty());
         self.evaluate_by(plan, committed, target.dt, evaluate_forces);
     }

@@ -21,7 +21,7 @@ use crate::sensitivity::{
 use crate::state::State;
 use crate::tangent;
 use crate::target::Target;
-use slideline_linalg::SolveError;
+use slideline_linalg::{SolveError, Solver};
 use slideline_mech::contact::tangential::Tangential;
 use slideline_model::Model;
 use std::ops::ControlFlow;
@@ -62,6 +62,15 @@ struct Room {
     defects: Vec<f64>,
 }
 
+/// What answers all right sides.
+struct Linear<'a> {
+    border: Border,
+    /// The converged trial, evaluated.
+    base: &'a Scratch,
+    /// Factors of its tangent.
+    solver: &'a mut Solver,
+}
+
 /// What came of the neighbours.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Found {
@@ -81,55 +90,44 @@ impl Increment<'_> {
         work: &mut Scratch,
         observer: &mut dyn Observer,
     ) -> ControlFlow<Stop> {
-        let Ok(border) = self.linearise(work) else { return ControlFlow::Continue(()) };
+        let mut base = Scratch::default();
+        base.evaluate_committed(self.plan, self.old, self.target, self.new);
+        let Ok((border, solver)) = self.linearise(&base, work) else {
+            return ControlFlow::Continue(());
+        };
+        let mut linear = Linear { border, base: &base, solver };
         let mut room = Room::default();
-        if std::env::var("GRAD_DEBUG").is_ok() && self.target.increment <= 2 {
-            let side = &mut room.sides[0];
-            side.evaluate_near(self.plan, self.old, self.target, (work, &Rates::default(), 0.0));
-            for dof in 0..work.u.len() {
-                let (a, b) = (side.evaluation.unbalanced(dof), work.evaluation.unbalanced(dof));
-                if a != b || side.u[dof] != work.u[dof] {
-                    eprintln!(
-                        "dof {dof} {:?} u {:e} {:e} f {a:e} {b:e}",
-                        self.plan.dofs.name(dof),
-                        side.u[dof],
-                        work.u[dof]
-                    );
-                }
-            }
-            for (a, b) in side.evaluation.points.iter().zip(&work.evaluation.points) {
-                if a != b {
-                    eprintln!("point\n {a:?}\n {b:?}");
-                }
-            }
-        }
         for course in 0..varied.courses.len() {
-            self.course((varied, course), (&border, work), &mut room, observer)?;
+            self.course((varied, course), &mut linear, &mut room, observer)?;
         }
         ControlFlow::Continue(())
     }
 
     /// Factors the tangent of the converged trial, its laws in it.
-    fn linearise(&self, work: &mut Scratch) -> Result<Border, SolveError> {
+    fn linearise<'w>(
+        &self,
+        base: &Scratch,
+        work: &'w mut Scratch,
+    ) -> Result<(Border, &'w mut Solver), SolveError> {
         let (plan, committed) = (self.plan, self.old);
-        let trial = work.trial(committed, self.target.dt);
-        let place = tangent::Place { plan, committed, trial, evaluation: &work.evaluation };
+        let trial = base.trial(committed, self.target.dt);
+        let place = tangent::Place { plan, committed, trial, evaluation: &base.evaluation };
         let mut values = tangent::assembled(&place);
         let mut border = Border::of(&place);
         border.lend(plan, &mut values);
         let equations = plan.constraints.equations();
-        border.couple(equations, work.factor_converged(plan, &values)?)?;
-        Ok(border)
+        let solver = work.factor_converged(plan, &values)?;
+        border.couple(equations, solver)?;
+        Ok((border, solver))
     }
 
     fn course(
         &self,
         (varied, course): (&mut Varied, usize),
-        by: (&Border, &mut Scratch),
+        linear: &mut Linear<'_>,
         room: &mut Room,
         observer: &mut dyn Observer,
     ) -> ControlFlow<Stop> {
-        let (border, work) = by;
         let both = varied.courses[course].level.saturating_sub(1)..Varied::levels();
         let one = ONE_SIDED.iter().flat_map(|&own| [(own, Side::Above), (own, Side::Below)]);
         let last = (ONE_SIDED[0], Side::Above);
@@ -145,8 +143,7 @@ impl Increment<'_> {
             let weights = Weights::of(side, level.h);
             let around = self.surroundings(level, known, room);
             let problems = around.each_ref().map(|own| own.problem(self.plan, self.target.step));
-            let found =
-                self.settle((&problems, weights, level.h), (border, work), (known.0, scale), room);
+            let found = self.settle((&problems, weights, level.h), linear, (known.0, scale), room);
             let is_last = number + 1 == count;
             if found != Found::Branch && !(is_last && found == Found::Beyond) {
                 continue;
@@ -190,7 +187,7 @@ impl Increment<'_> {
     fn settle(
         &self,
         (problems, weights, h): (&[Problem<'_>; 4], Weights, f64),
-        (border, work): (&Border, &mut Scratch),
+        linear: &mut Linear<'_>,
         (known, scale): (&[f64], f64),
         room: &mut Room,
     ) -> Found {
@@ -198,15 +195,16 @@ impl Increment<'_> {
         let mut left = f64::INFINITY;
         let pressed = self.new.points.iter().fold(0.0, |most: f64, own| most.max(own.pressure));
         for _ in 0..CORRECTIONS {
-            if !self.evaluate((problems, weights, h), (border, work), room) {
+            if !self.evaluate((problems, weights, h), linear, room) {
                 return Found::Nothing;
             }
             let Room { residual, defects, rates, .. } = &mut *room;
-            if border.solve(work.solver(), (&mut *residual, &mut *defects)).is_err() {
+            let Linear { border, base, solver } = &mut *linear;
+            if border.solve(solver, (&mut *residual, &mut *defects)).is_err() {
                 return Found::Nothing;
             }
             let before = left;
-            left = part(residual, &rates.unknowns, largest(&work.u) / scale);
+            left = part(residual, &rates.unknowns, largest(&base.u) / scale);
             left = left.max(part(defects, &rates.pressures, pressed / scale));
             if left <= SETTLED || left <= ROUNDED && left > SLOW * before {
                 break;
@@ -247,9 +245,10 @@ impl Increment<'_> {
     fn evaluate(
         &self,
         (problems, weights, h): (&[Problem<'_>; 4], Weights, f64),
-        (border, work): (&Border, &Scratch),
+        linear: &Linear<'_>,
         room: &mut Room,
     ) -> bool {
+        let (border, base) = (&linear.border, linear.base);
         let Room { sides, before, rates, residual, defects, .. } = room;
         residual.clear();
         residual.resize(self.plan.constraints.equations(), 0.0);
@@ -263,7 +262,7 @@ impl Increment<'_> {
             border.add_defects(weight, (from, &of.evaluation.points), defects);
         };
         for (k, weight) in weights.each() {
-            let near = (work, &*rates, OFFSETS[k] * h);
+            let near = (base, &*rates, OFFSETS[k] * h);
             sides[k].evaluate_near(&problems[k], &before[k], self.target, near);
             let evaluation = &sides[k].evaluation;
             if evaluation.failed.is_some() || evaluation.fault.is_some() {
@@ -272,7 +271,7 @@ impl Increment<'_> {
             add(weight, &sides[k], &before[k]);
         }
         if weights.base != 0.0 {
-            add(weights.base, work, self.old);
+            add(weights.base, base, self.old);
         }
         residual.iter().chain(&*defects).all(|value| value.is_finite())
     }
