@@ -45,12 +45,17 @@ fn column(name: &str) -> Option<String> {
     })
 }
 
+/// Letters of a keyword that the list makes room for.
+const USUAL_NAME: usize = 24;
+
 /// All keywords and codes, a line each.
 fn list() -> String {
     let mut text = String::from("Keywords (slideline explain KEYWORD prints the page):\n\n");
     let mut all: Vec<_> = keywords().collect();
     all.sort_by_key(|keyword| keyword.name);
-    let width = all.iter().map(|keyword| keyword.name.len()).max().unwrap_or_default();
+    // longer names stand out, or every meaning would begin behind the longest of them
+    let widths = all.iter().map(|keyword| keyword.name.len()).filter(|&width| width <= USUAL_NAME);
+    let width = widths.max().unwrap_or_default();
     for keyword in all {
         let _ = writeln!(text, "  *{:width$}  {}", keyword.name, meaning(keyword.page)); // a String takes any text
     }

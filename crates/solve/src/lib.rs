@@ -36,6 +36,7 @@ pub mod observe;
 mod plan;
 mod predict;
 mod problem;
+mod recall;
 mod restraint;
 mod rows;
 mod run;

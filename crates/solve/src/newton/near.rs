@@ -1,9 +1,9 @@
 //! A trial near the converged one: of another model and another history, evaluated and not solved.
 
 use super::scratch::{Scratch, solver};
-use crate::commit::recall_points;
 use crate::evaluate::evaluate_forces;
 use crate::problem::Problem;
+use crate::recall::recall_points;
 use crate::stabilise;
 use crate::state::{PointState, State};
 use crate::target::Target;
@@ -69,7 +69,7 @@ impl Scratch {
     fn evaluate_there(&mut self, plan: &Problem<'_>, committed: &State, target: &Target) {
         self.evaluation.fit(plan);
         self.dashpots.forget(plan.contact);
-        recall_points(committed, self);
+        recall_points(committed, &mut self.evaluation.kinematics);
         self.dt = target.dt;
         (self.line_search, self.augment_all) = (false, false);
         stabilise::fill(plan, committed, (target.step_time, target.dt), &mut self.dashpots);
