@@ -1,7 +1,8 @@
 //! Requests: one a connection, without a body.
 
 use super::door::Caller;
-use super::{Shared, socket};
+use super::shared::Shared;
+use super::socket;
 use crate::single::asset;
 use std::io::{self, Read as _, Write as _};
 use std::net::TcpStream;

@@ -14,33 +14,24 @@ mod http;
 mod queue;
 mod saved;
 mod secret;
+mod shared;
 mod socket;
 
-use crate::bench::Bench;
 use door::Door;
+pub use shared::Benches;
+use shared::Shared;
 use std::io;
 use std::net::{Ipv4Addr, TcpListener};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Connections that are answered at a time; others are closed.
 const MOST: usize = 64;
 
-/// Makes a bench for every page that is opened.
-pub type Benches = Box<dyn Fn() -> Bench + Send + Sync>;
-
 /// A server that answers on threads of its own until the process ends.
 pub struct Server {
     address: String,
-}
-
-/// What all connections share.
-struct Shared {
-    door: Door,
-    benches: Benches,
-    folder: PathBuf,
-    open: AtomicUsize,
 }
 
 impl Server {

@@ -5,9 +5,9 @@
 //!                        ^------ goes_on: whether something newer waits
 //! ```
 
-use super::Shared;
 use super::queue::{Next, Queue};
 use super::saved::written;
+use super::shared::Shared;
 use serde_json::{Value, json};
 use std::io::{self, Read, Write};
 use std::net::TcpStream;
