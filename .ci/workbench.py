@@ -18,6 +18,7 @@ from pathlib import Path
 from chromium import Browser
 from served import HOST, Served, drag_slider, rows, settled, value
 from workbench_times import dragging_at_random, measuring
+from workbench_troubles import impossible, losing, stopping
 
 
 def same_as_the_command(browser, program, folder, tolerance):
@@ -177,31 +178,6 @@ def named(browser):
     browser.until("document.getElementById('heard').textContent.startsWith(document.getElementById('verdict-title').textContent)")
 
 
-def stopping(browser):
-    """A solve that is stopped leaves a curve that is not current; the next value solves again."""
-    settled(browser)
-    browser.evaluate("""(() => {
-      let stopped = false;
-      Workbench.on('points', () => { if (!stopped) { stopped = true; Workbench.stop(); } });
-      const own = Workbench.deck.parameters[0];
-      Workbench.set(own.name, 1.01 * own.value, false);
-    })()""")
-    browser.until("document.getElementById('verdict-title').textContent === 'Stopped'")
-    assert browser.evaluate("document.getElementById('chart').dataset.current") == "false"
-    browser.evaluate("Workbench.set(Workbench.deck.parameters[0].name, Workbench.deck.parameters[0].value, false)")
-    settled(browser)
-
-
-def losing(browser, served):
-    """Without its program the page says so, and nothing on it is current."""
-    served.close()
-    browser.until("!document.getElementById('lost').hidden")
-    assert browser.evaluate("document.getElementById('verdict').className") == "verdict red"
-    assert browser.evaluate("document.getElementById('chart').dataset.current") == "false"
-    browser.evaluate("Workbench.set('thickness', 1.9, false)")
-    assert not browser.faults(), browser.faults()
-
-
 def editing(browser, pictures):
     """An error is underlined and named; nothing is current until it is mended."""
     settled(browser)
@@ -345,6 +321,7 @@ def drive(browser, program, folder, pictures, name, tolerance, idle):
     tolerances(browser)
     locking(browser)
     stopping(browser)
+    impossible(browser)
     named(browser)
     looks(browser, pictures, name)
     editing(browser, pictures)

@@ -43,9 +43,20 @@
     plot.resize();
     ink = plot.colours();
     plot.clear();
-    if (!run || run.rows < 1) { plot.axes(ink, titles(null)); W.tell("painted"); return; }
+    // a shape of other values is pale, as a curve of other values is
+    W.by("stage").classList.toggle("pale", Boolean(run) && (run.rows < 1 || !W.busy() && !W.current()));
+    if (!run || run.rows < 1) {
+      plot.axes(ink, titles());
+      if (run && run.end) {
+        plot.text("No curve with these values.", (plot.L + plot.W) / 2, plot.H / 3, "center", ink.soft);
+        legend[0] = W.by("lines").textContent = W.by("readoff").textContent = "";
+        W.by("state").textContent = "No state with these values; the shape is an earlier one.";
+      }
+      W.tell("painted");
+      return;
+    }
     plot.range(lists(run), W.moving || W.busy());
-    plot.axes(ink, titles(run));
+    plot.axes(ink, titles());
     const current = W.current(), strong = current ? 1 : 0.55;
     plot.inside(() => {
       if (W.band) plot.band(W.band.travel, W.band.low, W.band.high, ink.c5);

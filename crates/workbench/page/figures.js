@@ -10,7 +10,7 @@
   }
 
   const TITLES = { green: "Sound", amber: "Look again", red: "Not to be relied on" };
-  const STATUS = { completed: "Completed", not_converged: "Not converged", stopped: "Stopped", failed: "Failed" };
+  const STATUS = { completed: "Completed", not_converged: "Not converged", stopped: "Stopped", failed: "Failed", input_error: "Not solved: the deck has errors with these values" };
 
   let said = "";
   function verdict(run) {
@@ -35,6 +35,8 @@
       if (end.status !== "completed") lines = [[STATUS[end.status] || end.status, "red"]].concat(end.diagnosis ? [[text(end.diagnosis), "red"]] : [], lines);
     }
     lines = lines && lines.map((one) => typeof one === "string" ? [one, ""] : one);
+    // said once is enough
+    lines = lines && lines.filter(([line], k) => lines.findIndex(([own]) => own === line) === k);
     const key = JSON.stringify([title, lines]);
     W.by("verdict-title").textContent = title;
     // the words of the last verdict stay, grey, while a new one is made: nothing jumps

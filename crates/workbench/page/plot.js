@@ -66,6 +66,8 @@
     }
 
     axes(ink, titles) {
+      // as short as the room beside the axis asks for
+      const number = (value) => Math.abs(value) >= 1e5 ? value.toExponential(2).replace(/\.?0*e\+?/, "e").replace("-", "\u2212") : show(value, 4);
       const pen = this.pen, [x0, x1, y0, y1] = this.box, ends = [this.W - RIGHT, this.H - BOTTOM];
       const ticks = (low, high, count) => {
         const step = niceStep(high - low, count), out = [];
@@ -77,12 +79,12 @@
       for (const x of ticks(x0, x1, Math.max(3, Math.min(9, this.W / 90)))) {
         const at = Math.round(this.px(x)) + 0.5;
         this.line(at, TOP, at, ends[1]);
-        this.text(show(x), at, ends[1] + 15, "center", ink.ink);
+        this.text(number(x), at, ends[1] + 15, "center", ink.ink);
       }
       for (const y of ticks(y0, y1, Math.max(3, Math.min(7, this.H / 45)))) {
         const at = Math.round(this.py(y)) + 0.5;
         this.line(this.L, at, ends[0], at);
-        this.text(show(y), this.L - 6, at + 4, "right", ink.ink);
+        this.text(number(y), this.L - 6, at + 4, "right", ink.ink);
       }
       pen.strokeStyle = ink.soft;
       if (y0 < 0 && y1 > 0) { const at = Math.round(this.py(0)) + 0.5; this.line(this.L, at, ends[0], at); }

@@ -73,6 +73,7 @@
     if (message.say === "end") {
       if (!run.data) run.begin(null, null);
       run.finish(message);
+      W.stopped = false;
       W.shown = run;
       W.last = run;
       W.tell("end", run);
