@@ -146,15 +146,3 @@ pub fn initial_contact(model: &Model) -> Vec<ContactRow> {
     contact_rows((model, &dofs), &contact, &state, (&mut rows, &mut Vec::new()));
     rows
 }
-
-/// The places of a committed state as the evaluation that led to it left
-/// them, so that points without a master keep what was last said of them.
-pub fn recall_points(committed: &State, work: &mut Scratch) {
-    let kinematics = work.evaluation.kinematics.points_mut();
-    for (point, kinematics) in committed.points.iter().zip(kinematics) {
-        kinematics.position = point.position;
-        kinematics.normal = point.normal;
-        kinematics.area = point.area;
-        kinematics.xi = point.xi;
-    }
-}

@@ -1,7 +1,7 @@
 //! A trial near the converged one: of another model and another history, evaluated and not solved.
 
+use super::recall::recall_points;
 use super::scratch::{Scratch, solver};
-use crate::commit::recall_points;
 use crate::evaluate::evaluate_forces;
 use crate::problem::Problem;
 use crate::stabilise;

@@ -14,8 +14,8 @@ mod part;
 mod search;
 
 use super::analysis::{Analysis, Left};
-use crate::commit::recall_points;
 use crate::newton::Scratch;
+use crate::newton::recall_points;
 use crate::observe::Event;
 use crate::problem::Problem;
 use crate::stabilise;

@@ -126,7 +126,7 @@ impl Analysis<'_> {
             work.fit(&problem);
             work.tell_use(&problem);
             if begun || from.is_some() {
-                crate::commit::recall_points(self.committed, work);
+                crate::newton::recall_points(self.committed, work);
             } else {
                 let before = number.checked_sub(2).map(|before| &model.steps[before].presence);
                 crate::commit::locate_points(contact, before, self.committed, work.places());
