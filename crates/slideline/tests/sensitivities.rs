@@ -160,3 +160,21 @@ fn plastic_history() {
     ];
     Varied::new(&plastic(), &parameters, &responses).check(&[1e-5], 1e-6);
 }
+
+/// Requirement: every increment of a deck of the paper has its derivatives, also where the program has
+/// looked for jumps behind it. Source: the deck of the paper with friction.
+#[test]
+fn no_increment_is_left_out() {
+    let names = "*PARAMETER\nt = 1.5E-3\nmu = 0.3\n";
+    let deck = include_str!("../../../corpus/diehl1995/irs_fine_mu03.inp");
+    let deck = deck
+        .replace("25.0E-3,1.5E-3", "25.0E-3, <t>")
+        .replace("*FRICTION\n0.3", "*FRICTION\n<mu>")
+        .replacen("*NODE", &format!("{names}*NODE"), 1);
+    let responses: [Response; 1] = [|frame| reaction(frame, 9999, Dof::U2)];
+    let parameters = [("t", 1.5e-3), ("mu", 0.3)];
+    let seen = Varied::new(&deck, &parameters, &responses).differentiated();
+    for rates in &seen.rates {
+        assert_eq!(rates.len(), seen.rows.len());
+    }
+}

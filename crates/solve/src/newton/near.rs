@@ -1,5 +1,6 @@
 //! A trial near the converged one: of another model and another history, evaluated and not solved.
 
+use super::recall::recall_points;
 use super::scratch::{Scratch, solver};
 use crate::evaluate::evaluate_forces;
 use crate::problem::Problem;

@@ -15,6 +15,7 @@ mod search;
 
 use super::analysis::{Analysis, Left};
 use crate::newton::Scratch;
+use crate::newton::recall_points;
 use crate::observe::Event;
 use crate::problem::Problem;
 use crate::recall::recall_points;

@@ -93,11 +93,15 @@ impl Increment<'_> {
         let mut base = Scratch::default();
         base.evaluate_committed(self.plan, self.old, self.target, self.new);
         let Ok((border, solver)) = self.linearise(&base, work) else {
+            varied.courses.iter_mut().for_each(|own| own.is_lost = true);
             return ControlFlow::Continue(());
         };
         let mut linear = Linear { border, base: &base, solver };
         let mut room = Room::default();
         for course in 0..varied.courses.len() {
+            if varied.courses[course].is_lost {
+                continue;
+            }
             self.course((varied, course), &mut linear, &mut room, observer)?;
         }
         ControlFlow::Continue(())
@@ -162,6 +166,8 @@ impl Increment<'_> {
             own.level = if side == Side::Both { place } else { own.level };
             return ControlFlow::Continue(());
         }
+        // what follows would begin from a derivative that is none
+        varied.courses[course].is_lost = true;
         ControlFlow::Continue(())
     }
 
@@ -193,18 +199,20 @@ impl Increment<'_> {
     ) -> Found {
         self.guess(known, room);
         let mut left = f64::INFINITY;
-        let pressed = self.new.points.iter().fold(0.0, |most: f64, own| most.max(own.pressure));
+        let points = self.old.points.iter().chain(&self.new.points);
+        let pressed = points.fold(0.0, |most: f64, own| most.max(own.pressure));
+        let moved = largest(&self.old.displacement).max(largest(&self.new.displacement));
         for _ in 0..CORRECTIONS {
             if !self.evaluate((problems, weights, h), linear, room) {
                 return Found::Nothing;
             }
             let Room { residual, defects, rates, .. } = &mut *room;
-            let Linear { border, base, solver } = &mut *linear;
+            let Linear { border, solver, .. } = &mut *linear;
             if border.solve(solver, (&mut *residual, &mut *defects)).is_err() {
                 return Found::Nothing;
             }
             let before = left;
-            left = part(residual, &rates.unknowns, largest(&base.u) / scale);
+            left = part(residual, &rates.unknowns, moved / scale);
             left = left.max(part(defects, &rates.pressures, pressed / scale));
             if left <= SETTLED || left <= ROUNDED && left > SLOW * before {
                 break;

@@ -16,6 +16,9 @@ use crate::tangent::Place;
 use slideline_linalg::{DenseLu, SolveError, Solver};
 use slideline_mech::contact::tangential::Tangential;
 
+/// What rounding may leave of an overclosure, in sizes of the model [1].
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
 /// What stays as it is along a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Held {
@@ -211,7 +214,7 @@ impl Row {
 /// Whether contact that is hard stands on another branch in a neighbour: closed it would pull, open
 /// it would lie beyond its master.
 pub fn leaves_hard_branch(plan: &Problem<'_>, committed: &State, now: &[PointState]) -> bool {
-    let beyond = 1e-9 * plan.reach;
+    let beyond = ROUNDING * plan.reach;
     plan.contact.points.iter().zip(now).enumerate().any(|(place, (point, now))| {
         let law = &plan.contact.laws_of(point.pair, &committed.points[place]).normal;
         if law.is_bonded() || law.pressure(0.0).is_some() || now.along.is_none() {

@@ -25,6 +25,8 @@ pub struct Course {
     pub start: Vec<f64>,
     /// Whether the state depends on a derivative that was taken on one side.
     pub one_sided: bool,
+    /// Whether an increment had no derivative by it: then the later ones have none either.
+    pub is_lost: bool,
 }
 
 /// All parameters of a run.
@@ -56,6 +58,7 @@ impl Varied {
                 state: Vec::new(),
                 start: Vec::new(),
                 one_sided: false,
+                is_lost: false,
             });
             varied.level(varied.courses.len() - 1, 0, model)?;
         }
