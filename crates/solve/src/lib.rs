@@ -36,7 +36,6 @@ pub mod observe;
 mod plan;
 mod predict;
 mod problem;
-mod recall;
 mod restraint;
 mod rows;
 mod run;

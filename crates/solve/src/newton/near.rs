@@ -4,7 +4,6 @@ use super::recall::recall_points;
 use super::scratch::{Scratch, solver};
 use crate::evaluate::evaluate_forces;
 use crate::problem::Problem;
-use crate::recall::recall_points;
 use crate::stabilise;
 use crate::state::{PointState, State};
 use crate::target::Target;
@@ -70,7 +69,7 @@ impl Scratch {
     fn evaluate_there(&mut self, plan: &Problem<'_>, committed: &State, target: &Target) {
         self.evaluation.fit(plan);
         self.dashpots.forget(plan.contact);
-        recall_points(committed, &mut self.evaluation.kinematics);
+        recall_points(committed, self);
         self.dt = target.dt;
         (self.line_search, self.augment_all) = (false, false);
         stabilise::fill(plan, committed, (target.step_time, target.dt), &mut self.dashpots);

@@ -18,7 +18,6 @@ use crate::newton::Scratch;
 use crate::newton::recall_points;
 use crate::observe::Event;
 use crate::problem::Problem;
-use crate::recall::recall_points;
 use crate::stabilise;
 use crate::state::State;
 use crate::target::Target;
@@ -56,7 +55,7 @@ impl Analysis<'_> {
         let looked_for = left > NOTABLE * books.turned_over && left > SHARP * own;
         let jump = looked_for.then(|| find(plan, (self.trial, self.committed), target, work));
         if looked_for {
-            recall_points(self.committed, &mut work.evaluation.kinematics);
+            recall_points(self.committed, work);
         }
         let said = jump.flatten().map(|jump| {
             jump.enter(self.trial, self.committed);

@@ -7,7 +7,6 @@ use crate::increments::{Control, Decision, Verdict};
 use crate::newton::Scratch;
 use crate::observe::{Ending, Event};
 use crate::problem::{self, Problem};
-use crate::recall::recall_points;
 use crate::start::Start;
 use crate::structure::Structure;
 use crate::target::Target;
@@ -127,11 +126,7 @@ impl Analysis<'_> {
             work.fit(&problem);
             work.tell_use(&problem);
             if begun || from.is_some() {
-<<<<<<< HEAD
-                recall_points(self.committed, &mut work.evaluation.kinematics);
-=======
                 crate::newton::recall_points(self.committed, work);
->>>>>>> ab4543203bc27ece2245f3f9c522b53c33dc7795
             } else {
                 let before = number.checked_sub(2).map(|before| &model.steps[before].presence);
                 crate::commit::locate_points(contact, before, self.committed, work.places());
