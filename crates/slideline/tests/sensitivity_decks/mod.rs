@@ -161,7 +161,7 @@ impl Varied {
                     differences.len(),
                 );
                 print!("{line}");
-                if !(off.0 <= tolerance) {
+                if off.0 > tolerance || off.0.is_nan() {
                     wrong += &line;
                 }
             }

@@ -220,7 +220,7 @@ impl Increment<'_> {
             rates.unknowns.iter_mut().zip(residual).for_each(|(rate, more)| *rate += *more);
             border.give(defects, &mut rates.pressures, &mut rates.tractions);
         }
-        if !(left <= ROUNDED) {
+        if left > ROUNDED || left.is_nan() {
             return Found::Nothing;
         }
         for (k, _) in weights.each() {
