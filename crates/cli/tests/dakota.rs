@@ -87,7 +87,7 @@ fn what_cannot_be_answered_leaves_no_results() {
     let folder = prepared("dakota_wrong");
     let good = parameters("1.5", "30.0");
     for (old, new, told) in [
-        ("1 ASV_1:pull", "2 ASV_1:pull", "derivatives of pull"),
+        ("1 ASV_1:pull", "4 ASV_1:pull", "second derivatives of pull"),
         ("1 ASV_1:pull", "1 ASV_1:pall", "no response pall"),
         ("30.0 lead", "30.0 load", "no parameter load"),
         ("2 variables", "a deck", "number of variables"),
