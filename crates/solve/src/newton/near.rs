@@ -40,7 +40,7 @@ impl Scratch {
         self.pressures.iter_mut().zip(&rates.pressures).for_each(|(p, rate)| *p += h * rate);
         self.tractions.clone_from(&of.tractions);
         let moved = self.tractions.iter_mut().zip(&rates.tractions);
-        moved.for_each(|(traction, &rate)| *traction = *traction + h * rate);
+        moved.for_each(|(traction, &rate)| *traction += h * rate);
         self.standing.clone_from(&of.standing);
         self.evaluate_there(plan, committed, target);
     }
