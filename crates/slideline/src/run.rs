@@ -67,22 +67,7 @@ pub fn run(read: &Read, options: &RunOptions, observer: &mut dyn Observer) -> Ou
         Ok(chosen) => chosen,
         Err(said) => return ended(Status::InputError, files, vec![*said], None),
     };
-    let facts = Facts {
-        version: VERSION,
-        deck_hash: &read.deck_hash,
-        sources: &read.sources,
-        diagnostics: &read.diagnostics,
-        dialect: read.model.as_ref().map(|model| model.dialect).or(read.options.dialect),
-        friction_onset: match &read.model {
-            Some(model) => Some(model.friction_onset),
-            None => read.options.friction_onset,
-        },
-        own_texts: read.deck.files.len(),
-        parameters: &read.options.parameters,
-        sensitivities: &chosen.names,
-        earlier: read.from.as_ref().map(|from| &from.earlier),
-        formats: options.formats,
-    };
+    let facts = facts(read, options, &chosen);
     if let Some(said) = would_destroy(read, &files).or_else(|| runs_already(&files)) {
         return ended(Status::InputError, files, vec![said], None);
     }
@@ -122,6 +107,26 @@ pub fn run(read: &Read, options: &RunOptions, observer: &mut dyn Observer) -> Ou
         Some(ending) => watch.outcome(&ending),
         // the state was held against the model before
         None => ended(Status::InternalError, files, Vec::new(), None),
+    }
+}
+
+/// What writers need to know of a deck and of how it is run.
+fn facts<'a>(read: &'a Read, options: &RunOptions, chosen: &'a Chosen) -> Facts<'a> {
+    Facts {
+        version: VERSION,
+        deck_hash: &read.deck_hash,
+        sources: &read.sources,
+        diagnostics: &read.diagnostics,
+        dialect: read.model.as_ref().map(|model| model.dialect).or(read.options.dialect),
+        friction_onset: match &read.model {
+            Some(model) => Some(model.friction_onset),
+            None => read.options.friction_onset,
+        },
+        own_texts: read.deck.files.len(),
+        parameters: &read.options.parameters,
+        sensitivities: &chosen.names,
+        earlier: read.from.as_ref().map(|from| &from.earlier),
+        formats: options.formats,
     }
 }
 
