@@ -6,7 +6,7 @@ import time
 from pathlib import Path
 
 HOST = "127.0.0.1"
-CURRENT = "document.getElementById('verdict').dataset.current === 'true' && !Workbench.busy()"
+CURRENT = "document.getElementById('verdict').dataset.current === 'true' && !Workbench.busy() && !Workbench.aim.busy()"
 
 
 class Served:

@@ -1,7 +1,7 @@
 // Solve for: a wanted force, and the parameter that follows. Typed, or a peak dragged on the curve.
 (function (W) {
   "use strict";
-  let asked = false, next = null, held = null;
+  let asked = null, next = null, held = null, setting = false;
   const handles = {};
   // Which peak carries which response.
   const PEAKS = { push: "push_in", pull: "pull_out" };
@@ -29,17 +29,18 @@
 
   // Asks for the newest wanted value; one question at a time.
   function pump() {
-    if (asked || !next || !W.deck.sound || W.lost) return;
+    if (asked !== null || !next || !W.deck.sound || W.lost) return;
     if (W.locked[W.follows]) { say(W.follows + " is locked: choose another parameter.", true); next = null; return; }
     const { name, wanted, gesture } = next, parameter = W.follows;
     next = null;
-    asked = true;
     say("Looking for " + parameter + " \u2026");
-    W.ask("aim", { values: W.values, parameter, response: name, wanted }, (message) => {
-      asked = false;
+    asked = W.ask("aim", { values: W.values, parameter, response: name, wanted }, (message) => {
+      asked = null;
       if (message.say === "aimed") {
         say(parameter + " " + W.figure(message.value, 6) + " gives " + W.label(name) + " " + W.figure(message.reached, 5) + " (" + message.steps + (message.steps === 1 ? " step)." : " steps)."));
+        setting = true;
         W.set(parameter, message.value, gesture && held !== null);
+        setting = false;
       } else if (message.say === "missed") {
         const near = Number.isFinite(message.nearest) ? " Nearest: " + W.figure(message.nearest, 5) + "." : "";
         say((message.why || W.label(name) + " does not reach this value.") + near, true);
@@ -50,8 +51,17 @@
     });
   }
   W.on("idle", pump);
+  // Values that a hand has set since are what it wants now.
+  W.on("values", () => {
+    if (setting || held !== null) return;
+    next = null;
+    if (asked === null) return;
+    W.forget(asked);
+    asked = null;
+    say("");
+  });
   // what was said of other values is over
-  for (const name of ["marks", "values"]) W.on(name, () => { if (!asked && !next && W.by("aim-said").classList.contains("bad")) say("Type a value, or drag a peak of the curve."); });
+  for (const name of ["marks", "values"]) W.on(name, () => { if (asked === null && !next && W.by("aim-said").classList.contains("bad")) say("Type a value, or drag a peak of the curve."); });
 
   W.aim = {
     choose(name) {
@@ -62,6 +72,7 @@
       W.by("aim-wanted").select();
     },
     want(name, wanted, gesture) { next = { name, wanted, gesture }; pump(); },
+    busy: () => asked !== null || next !== null,
     make() {
       W.by("aim").addEventListener("submit", (event) => {
         event.preventDefault();
@@ -101,7 +112,7 @@
       if (!held || held.which !== which) return;
       const last = held;
       held = null;
-      if (Math.abs(last.wanted - (W.last ? W.last.force[W.last.peak(which)] : 0)) > 0 && (next || asked)) W.aim.want(response(which), Math.abs(last.wanted), false);
+      if (Math.abs(last.wanted - (W.last ? W.last.force[W.last.peak(which)] : 0)) > 0 && (next || asked !== null)) W.aim.want(response(which), Math.abs(last.wanted), false);
       else W.tell("settled");
       W.draw();
     };

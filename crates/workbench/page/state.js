@@ -36,7 +36,12 @@
     const parameter = W.parameter(name);
     if (!parameter || !Number.isFinite(value)) return;
     const own = clean(parameter.integer ? Math.round(value) : value);
-    if (W.values[name] === own) { if (!gesture) W.tell("settled"); return; }
+    if (W.values[name] === own) {
+      if (!gesture) W.tell("settled");
+      // what was stopped is asked for again
+      if (!gesture && W.stopped && !W.busy()) W.solve();
+      return;
+    }
     W.values = Object.assign({}, W.values, { [name]: own });
     W.tell("values", { name, gesture: Boolean(gesture) });
     if (!gesture) W.tell("settled");
