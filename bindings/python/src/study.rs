@@ -11,6 +11,7 @@ use pyo3::prelude::*;
 use slideline::Diagnostic;
 use slideline::diag::Sources;
 use slideline_sweep::{Failure, Number, Row, StudyFile, SweepOptions};
+use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -107,16 +108,8 @@ impl Evaluator {
         points: &Bound<'_, PyAny>,
         threads: usize,
     ) -> PyResult<Evaluated> {
-        let given = values(points, "X")?;
-        let points: Vec<Vec<Number>> =
-            given.chunks_exact(self.whole.len()).map(|point| self.point(point)).collect();
-        let rows = interruptible(
-            py,
-            |_| Ok(()),
-            |stops| self.evaluator.evaluate(&points, threads, stops),
-        )?;
-        let found = rows.iter().flat_map(|row| &row.responses);
-        let found: Vec<f64> = found.map(|value| value.unwrap_or(f64::NAN)).collect();
+        let rows = self.rows(py, &values(points, "X")?, threads, false)?;
+        let found = numbers(&rows, 0..self.responses);
         let codes = rows.iter().map(|row| row.code.clone()).collect();
         Ok((shaped(py, &[rows.len(), self.responses], found)?, codes))
     }
@@ -129,19 +122,9 @@ impl Evaluator {
         points: &Bound<'_, PyAny>,
         threads: usize,
     ) -> PyResult<Differentiated> {
-        let given = values(points, "X")?;
-        let points: Vec<Vec<Number>> =
-            given.chunks_exact(self.whole.len()).map(|point| self.point(point)).collect();
-        let rows = interruptible(
-            py,
-            |_| Ok(()),
-            |stops| self.evaluator.differentiate(&points, threads, stops),
-        )?;
-        let part = |range: fn(&[Option<f64>], usize) -> &[Option<f64>]| -> Vec<f64> {
-            let all = rows.iter().flat_map(|row| range(&row.responses, self.responses));
-            all.map(|value| value.unwrap_or(f64::NAN)).collect()
-        };
-        let (found, rates) = (part(|row, count| &row[..count]), part(|row, count| &row[count..]));
+        let rows = self.rows(py, &values(points, "X")?, threads, true)?;
+        let (count, all) = (self.responses, self.responses * (1 + self.whole.len()));
+        let (found, rates) = (numbers(&rows, 0..count), numbers(&rows, count..all));
         let codes = rows.iter().map(|row| row.code.clone()).collect();
         let shape = [rows.len(), self.responses, self.whole.len()];
         Ok((shaped(py, &shape[..2], found)?, shaped(py, &shape, rates)?, codes))
@@ -149,9 +132,35 @@ impl Evaluator {
 }
 
 impl Evaluator {
+    /// The rows of points, with derivatives or without.
+    fn rows(
+        &self,
+        py: Python<'_>,
+        points: &[f64],
+        threads: usize,
+        differentiated: bool,
+    ) -> PyResult<Vec<Row>> {
+        let points: Vec<Vec<Number>> =
+            points.chunks_exact(self.whole.len()).map(|point| self.point(point)).collect();
+        interruptible(
+            py,
+            |_| Ok(()),
+            |stops| match differentiated {
+                true => self.evaluator.differentiate(&points, threads, stops),
+                false => self.evaluator.evaluate(&points, threads, stops),
+            },
+        )
+    }
+
     fn point(&self, values: &[f64]) -> Vec<Number> {
         values.iter().zip(&self.whole).map(|(&value, &whole)| number(value, whole)).collect()
     }
+}
+
+/// Some of the responses of all rows, not a number where there are none.
+fn numbers(rows: &[Row], places: Range<usize>) -> Vec<f64> {
+    let found = rows.iter().flat_map(|row| &row.responses[places.clone()]);
+    found.map(|value| value.unwrap_or(f64::NAN)).collect()
 }
 
 #[allow(clippy::cast_possible_truncation)] // rounded, and clipped by the cast

@@ -77,7 +77,7 @@ def test_an_evaluator_has_the_bits_of_a_sweep(named):
 
 
 def test_a_jacobian_is_that_of_differences(named):
-    evaluator = slideline.Evaluator(named, ["mu", "thickness"], RESPONSES)
+    evaluator = slideline.Evaluator(named, ["mu", "thickness"], RESPONSES | {"strain": "fibre_strain"})
     point = np.array([0.2, 1.5e-3])
     values, exact = evaluator.evaluate_with_jacobian(point)
     assert np.array_equal(values, evaluator.evaluate(point)) and exact.shape == (len(values), 2)

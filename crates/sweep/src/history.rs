@@ -19,7 +19,10 @@ pub(crate) struct History {
     rates: Vec<Vec<Vec<f64>>>,
     iterations: usize,
     cutbacks: usize,
-    fibre_strain: Option<f64>,
+    /// The largest strain of plane beams, with its row and the place of its beam.
+    fibre_strain: Option<(f64, usize, usize)>,
+    /// Its derivatives by every parameter.
+    strain_rates: Vec<f64>,
     utilisation: Option<f64>,
     colour: Option<Colour>,
 }
@@ -32,6 +35,7 @@ impl History {
         self.curves.resize(curves.len(), Vec::new());
         self.curves.iter_mut().for_each(Vec::clear);
         self.rates.clear();
+        self.strain_rates.clear();
         self.times.clear();
         self.ends.clear();
         (self.iterations, self.cutbacks, self.fibre_strain) = (0, 0, None);
@@ -44,14 +48,22 @@ impl History {
         for (source, values) in self.sources.iter().zip(&mut self.curves) {
             values.push(source.value(frame));
         }
+        let (row, known) = (self.times.len(), self.fibre_strain);
         self.times.push(frame.total_time);
-        let strains = frame.beams.iter().map(|beam| beam.fibre_strain);
-        self.fibre_strain = strains.chain(self.fibre_strain).reduce(f64::max);
+        for (place, beam) in frame.beams.iter().enumerate() {
+            if self.fibre_strain.is_none_or(|(most, ..)| beam.fibre_strain > most) {
+                self.fibre_strain = Some((beam.fibre_strain, row, place));
+            }
+        }
+        if self.fibre_strain != known {
+            self.strain_rates.fill(f64::NAN);
+        }
     }
 
     /// Prepares for derivatives by so many parameters.
     pub fn differentiate(&mut self, parameters: usize) {
         self.rates.resize(parameters, vec![Vec::new(); self.curves.len()]);
+        self.strain_rates.resize(parameters, f64::NAN);
     }
 
     /// Takes how the last row follows a parameter.
@@ -61,6 +73,11 @@ impl History {
         for (source, rates) in self.sources.iter().zip(rates) {
             rates.resize(row, f64::NAN);
             rates.push(told.of(|frame| source.value(frame)));
+        }
+        if let Some((_, strained, place)) = self.fibre_strain
+            && strained == row
+        {
+            self.strain_rates[parameter] = told.of(|frame| frame.beams[place].fibre_strain);
         }
     }
 
@@ -128,6 +145,14 @@ impl History {
         Some(work(&by_force, motion)? + work(force, &by_motion)?)
     }
 
+    /// The derivative of the largest strain: that of the beam and the increment that have it.
+    pub fn rate_counted(&self, count: Count, parameter: usize) -> Option<f64> {
+        match count {
+            Count::FibreStrain => self.strain_rates.get(parameter).copied(),
+            _ => None,
+        }
+    }
+
     /// Rows of a step, with the one in which it begins; `None`: all.
     fn rows(&self, step: Option<usize>) -> Option<Range<usize>> {
         let Some(step) = step else { return Some(0..self.times.len()) };
@@ -172,7 +197,7 @@ impl History {
             Count::Increments => Some(self.times.len().saturating_sub(1) as f64),
             Count::Iterations => Some(self.iterations as f64),
             Count::Cutbacks => Some(self.cutbacks as f64),
-            Count::FibreStrain => self.fibre_strain,
+            Count::FibreStrain => self.fibre_strain.map(|(most, ..)| most),
             Count::Utilisation => self.utilisation,
             Count::StrainMargin => self.utilisation.map(|used| 1.0 / used - 1.0),
             Count::Verdict => self.colour.map(|colour| f64::from(colour as u8)),

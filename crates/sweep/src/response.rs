@@ -51,7 +51,7 @@ fn rate(term: &Term, seen: &Seen<'_>, by: (usize, &[Option<f64>])) -> Option<f64
         Term::Number(_) => Some(0.0),
         Term::Parameter(place) => Some(if *place == parameter { 1.0 } else { 0.0 }),
         Term::Response(place) => rates[*place],
-        Term::Count(_) => None,
+        Term::Count(count) => history.rate_counted(*count, parameter),
         Term::Measured(measure, curve, step) => {
             history.rate_measured(*measure, *curve, *step, parameter)
         }
