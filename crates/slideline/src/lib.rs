@@ -24,6 +24,7 @@ mod error_bars;
 mod further;
 mod job;
 mod judge;
+mod lost_sensitivities;
 mod mend;
 mod pages;
 mod parametric;

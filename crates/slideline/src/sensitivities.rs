@@ -1,5 +1,6 @@
 //! What a run is differentiated by: the parameters of its deck.
 
+use crate::lost_sensitivities::Lost;
 use crate::parametric::Parametric;
 use crate::read::Read;
 use slideline_diag::{Code, Diagnostic};
@@ -42,7 +43,8 @@ impl Chosen {
         observer: &mut dyn Observer,
     ) -> Option<Ending> {
         let mut workspace = Workspace::new(&Plan::of(model), options);
-        workspace.run_differentiated(model, &self.parameters, observer).ok()?.ok()
+        let mut watch = Lost::new(&self.names, observer);
+        workspace.run_differentiated(model, &self.parameters, &mut watch).ok()?.ok()
     }
 
     /// The numbers of a deck that was read. `Err`: there are none, or the run goes on from a saved
