@@ -62,6 +62,7 @@ const WRITTEN: &[(&str, &str)] = &[
 
 const IMAGES: &[(&str, &[u8])] = &[
     ("images/methods.png", include_bytes!("../../../../docs/images/methods.png")),
+    ("images/workbench.png", include_bytes!("../../../../docs/images/workbench.png")),
     ("images/friction-dropped.png", include_bytes!("../../../../docs/images/friction-dropped.png")),
     ("images/field/hook.png", include_bytes!("../../../../docs/images/field/hook.png")),
     ("images/field/annular.png", include_bytes!("../../../../docs/images/field/annular.png")),
