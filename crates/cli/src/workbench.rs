@@ -21,7 +21,7 @@ pub(crate) struct WorkbenchArguments {
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     output: Option<PathBuf>,
     /// Ends of the slider of a parameter, such as thickness=1:3.
-    #[arg(long, value_name = "NAME=FROM:TO", value_parser = range_of)]
+    #[arg(long, value_name = "NAME=FROM:TO", value_parser = range_of, requires = "job")]
     range: Vec<Range>,
     /// Only print the address; open no browser.
     #[arg(long)]
@@ -42,12 +42,45 @@ struct Deck {
     text: String,
 }
 
+impl Deck {
+    /// The folder that it stands in.
+    fn folder(&self) -> PathBuf {
+        let own = self.job.deck.parent().filter(|own| *own != Path::new(""));
+        own.unwrap_or(Path::new(".")).to_owned()
+    }
+}
+
+/// A bench with a deck; what that includes stands beside it.
+fn bench(deck: &Deck, folder: &Path, ranges: &[Range]) -> Bench {
+    reading(folder, ranges).with_deck(&deck.name, &deck.text)
+}
+
+/// A bench that reads decks of a folder.
+fn reading(folder: &Path, ranges: &[Range]) -> Bench {
+    let folder = folder.to_owned();
+    let read = move |name: &str, text: &str| {
+        let job = Job::named(&folder.join(name));
+        Job::read_bytes(job, text.as_bytes(), &ReadOptions::default())
+    };
+    Bench::new().with_ranges(ranges.to_vec()).with_reader(Box::new(read))
+}
+
 /// Opens the workbench.
 pub(crate) fn workbench(arguments: &WorkbenchArguments) -> Exit {
     let deck = match arguments.job.as_deref().map(deck).transpose() {
         Ok(deck) => deck,
         Err(exit) => return exit,
     };
+    if let Some(own) = &deck
+        && let [strange, ..] = bench(own, &own.folder(), &arguments.range).strange_ranges()[..]
+    {
+        screen::error(&format!(
+            "error[SL0801]: --range names {strange}, which is no parameter of {}\n  = help: name one \
+             of its *PARAMETER cards or, where it has none, one that its page shows\n",
+            own.name
+        ));
+        return Exit::Input;
+    }
     match &arguments.output {
         Some(path) => page(path, arguments, deck.as_ref()),
         None => serve(arguments, deck),
@@ -74,21 +107,11 @@ fn deck(path: &Path) -> Result<Deck, Exit> {
 
 fn serve(arguments: &WorkbenchArguments, deck: Option<Deck>) -> Exit {
     let ranges = arguments.range.clone();
-    let folder = deck.as_ref().and_then(|own| own.job.deck.parent().map(Path::to_owned));
-    let folder = folder.filter(|own| own != Path::new("")).unwrap_or_else(|| PathBuf::from("."));
+    let folder = deck.as_ref().map_or_else(|| PathBuf::from("."), Deck::folder);
     let beside = folder.clone();
-    let benches: Benches = Box::new(move || {
-        let folder = beside.clone();
-        // what a deck includes stands beside it
-        let read = move |name: &str, text: &str| {
-            let job = Job::named(&folder.join(name));
-            Job::read_bytes(job, text.as_bytes(), &ReadOptions::default())
-        };
-        let bench = Bench::new().with_ranges(ranges.clone()).with_reader(Box::new(read));
-        match &deck {
-            Some(own) => bench.with_deck(&own.name, &own.text),
-            None => bench,
-        }
+    let benches: Benches = Box::new(move || match &deck {
+        Some(own) => bench(own, &beside, &ranges),
+        None => reading(&beside, &ranges),
     });
     let server = match Server::begin(benches, &folder) {
         Ok(server) => server,
@@ -141,7 +164,8 @@ fn page(path: &Path, arguments: &WorkbenchArguments, deck: Option<&Deck>) -> Exi
             return Exit::Input;
         }
     };
-    let deck = deck.map(|own| (own.name.as_str(), own.text.as_str()));
+    let text = deck.map(|own| with_ranges(&own.text, &arguments.range));
+    let deck = deck.zip(text.as_ref()).map(|(own, text)| (own.name.as_str(), text.as_str()));
     match write_file(path, single_page(&wasm, deck).as_bytes()) {
         Ok(()) => {
             screen::print(&format!("{} is written; open it in a browser\n", path.display()));
@@ -152,4 +176,16 @@ fn page(path: &Path, arguments: &WorkbenchArguments, deck: Option<&Deck>) -> Exi
             Exit::Output
         }
     }
+}
+
+/// A deck with ranges as comments: a page of one file has no command line.
+fn with_ranges(text: &str, ranges: &[Range]) -> String {
+    let mut text = text.to_owned();
+    if !ranges.is_empty() && !text.ends_with('\n') {
+        text.push('\n');
+    }
+    for Range { name, minimum, maximum } in ranges {
+        text.push_str(&format!("** range {name} {minimum:?} {maximum:?}\n"));
+    }
+    text
 }

@@ -39,6 +39,11 @@ fn the_page_as_one_file() {
     assert!(said.contains("page.html is written"), "{said}");
     let page = std::fs::read_to_string(folder.join("page.html")).unwrap();
     assert!(page.contains(">AGFzbQ==</script>") && page.contains("A cantilever snap-fit"));
+    assert!(!page.contains("** range thickness"));
+    let ranged = [&write[..], &["--range", "thickness=1:3"]].concat();
+    assert_eq!(slideline(&folder, &ranged).0, Some(0));
+    let page = std::fs::read_to_string(folder.join("page.html")).unwrap();
+    assert!(page.contains("** range thickness 1.0 3.0"), "a page of one file has its ranges");
 }
 
 /// Requirement: decks that are not there and ranges that are none are refused.
@@ -52,6 +57,18 @@ fn wrong_words_are_refused() {
         let arguments = ["workbench", "snap_fit", "--no-browser", "--range", range];
         assert_eq!(slideline(&folder, &arguments).0, Some(64), "{range}");
     }
+}
+
+/// Requirement: a range of nothing is said before anything is served or written.
+#[test]
+fn a_range_of_no_parameter_is_refused() {
+    let folder = folder("strange");
+    let arguments = ["workbench", "snap_fit", "--no-browser", "--range", "thikness=1:3"];
+    let (code, _, errors) = slideline(&folder, &arguments);
+    assert_eq!(code, Some(1), "{errors}");
+    assert!(errors.contains("SL0801") && errors.contains("thikness"), "{errors}");
+    let alone = ["workbench", "--no-browser", "--range", "thickness=1:3"];
+    assert_eq!(slideline(&folder, &alone).0, Some(64));
 }
 
 /// Requirement: the address is of the loopback and has a token; an interrupt ends the program.

@@ -80,6 +80,16 @@ impl Bench {
         self
     }
 
+    /// Names of said ranges that are no parameters of the deck that it was started with; none where
+    /// there is no sound deck.
+    pub fn strange_ranges(&self) -> Vec<&str> {
+        let Some((name, text)) = &self.first else { return Vec::new() };
+        let opened = Opened::new(name, text, &self.ranges, &*self.read);
+        let known = |own: &Range| opened.sliders.iter().any(|slider| slider.name == own.name);
+        let strange = self.ranges.iter().filter(|own| opened.parametric.is_some() && !known(own));
+        strange.map(|own| own.name.as_str()).collect()
+    }
+
     /// Answers a message.
     pub fn answer(&mut self, message: &str, say: &mut dyn FnMut(&str) -> bool) {
         let asked: Value = match serde_json::from_str(message) {

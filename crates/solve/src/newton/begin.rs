@@ -11,6 +11,22 @@ use crate::target::Target;
 use slideline_mech::material::Clock;
 
 impl Scratch {
+    /// Sets what the time prescribes: motions, loads, pressures on faces, temperatures; then the dofs
+    /// that follow others.
+    pub(super) fn follow_time(&mut self, plan: &Problem<'_>, committed: &State, target: &Target) {
+        plan.prescribe(target.step_time, &mut self.u);
+        plan.load(target.step_time, &mut self.load);
+        self.faces.clear();
+        self.faces.extend(plan.pressures(target.step_time));
+        plan.temperatures(target.step_time, &mut self.temperatures);
+        self.turns.clone_from(&committed.turns);
+        self.clock = Clock {
+            passed: plan.step.procedure.passage.of(target.dt),
+            total: committed.total_time + target.dt,
+        };
+        plan.constraints.enforce(&self.turns, &mut self.u);
+    }
+
     /// The first guess, evaluated.
     pub(super) fn begin(&mut self, plan: &Problem<'_>, committed: &State, target: &Target) {
         self.augment_all = false;
@@ -27,17 +43,7 @@ impl Scratch {
         stabilise::fill(plan, committed, times, &mut self.dashpots);
         self.u.copy_from_slice(&committed.displacement);
         predict::extrapolate(plan, committed, target.dt, &mut self.u);
-        plan.prescribe(target.step_time, &mut self.u);
-        plan.load(target.step_time, &mut self.load);
-        self.faces.clear();
-        self.faces.extend(plan.pressures(target.step_time));
-        plan.temperatures(target.step_time, &mut self.temperatures);
-        self.turns.clone_from(&committed.turns);
-        self.clock = Clock {
-            passed: plan.step.procedure.passage.of(target.dt),
-            total: committed.total_time + target.dt,
-        };
-        plan.constraints.enforce(&self.turns, &mut self.u);
+        self.follow_time(plan, committed, target);
         for (place, point) in committed.points.iter().enumerate() {
             self.pressures[place] = point.pressure;
             self.tractions[place] = point.traction;

@@ -9,7 +9,6 @@ use crate::state::{PointState, State};
 use crate::target::Target;
 use slideline_linalg::{SolveError, Solver, Use};
 use slideline_mech::contact::tangential::Tangential;
-use slideline_mech::material::Clock;
 
 /// How the unknowns of an increment follow a parameter.
 #[derive(Clone, Debug, Default)]
@@ -73,18 +72,8 @@ impl Scratch {
         self.dt = target.dt;
         (self.line_search, self.augment_all) = (false, false);
         stabilise::fill(plan, committed, (target.step_time, target.dt), &mut self.dashpots);
-        plan.prescribe(target.step_time, &mut self.u);
         self.load.resize(self.u.len(), 0.0);
-        plan.load(target.step_time, &mut self.load);
-        self.faces.clear();
-        self.faces.extend(plan.pressures(target.step_time));
-        plan.temperatures(target.step_time, &mut self.temperatures);
-        self.turns.clone_from(&committed.turns);
-        self.clock = Clock {
-            passed: plan.step.procedure.passage.of(target.dt),
-            total: committed.total_time + target.dt,
-        };
-        plan.constraints.enforce(&self.turns, &mut self.u);
+        self.follow_time(plan, committed, target);
         self.held.hold(std::iter::empty());
         self.evaluate_by(plan, committed, target.dt, evaluate_forces);
     }

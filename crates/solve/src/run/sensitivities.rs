@@ -36,38 +36,42 @@ impl Observer for Nobody {
 
 impl Analysis<'_> {
     /// Keeps the state before a step, where the run is differentiated.
-    pub(super) fn note_before(&mut self, _number: usize) {
+    pub(super) fn note_before(&mut self) {
         if self.varied.is_some() {
             self.before = Some(Box::new((self.committed.clone(), self.start.owned())));
         }
     }
 
-    /// Differentiates the beginning of a step.
-    pub(super) fn differentiate_beginning(&mut self, number: usize) -> Result<(), Left> {
+    /// Differentiates the beginning of a step. A neighbour that cannot begin it ends the
+    /// derivative, not the run.
+    pub(super) fn differentiate_beginning(&mut self, number: usize) {
         let (Some(varied), Some(before)) = (self.varied.take(), self.before.take()) else {
-            return Ok(());
+            return;
         };
-        let mut done = Ok(());
         for course in 0..varied.courses.len() {
-            done = done.and_then(|()| self.begin_course((varied, course), number, &before));
+            if !varied.courses[course].is_lost
+                && self.begin_course((varied, course), number, &before).is_none()
+            {
+                varied.courses[course].is_lost = true;
+            }
         }
         self.varied = Some(varied);
-        done
     }
 
+    /// Derivatives of state and start by a parameter; `None`: there are none.
     fn begin_course(
         &self,
         (varied, course): (&mut Varied, usize),
         number: usize,
         (state, start): &(State, Start<'static>),
-    ) -> Result<(), Left> {
+    ) -> Option<()> {
         let place = varied.courses[course].level;
         let (mut states, mut starts) = (Vec::new(), Vec::new());
         let (of_state, of_start) = {
             let own = &mut varied.courses[course];
             (std::mem::take(&mut own.state), std::mem::take(&mut own.start))
         };
-        let Ok(level) = varied.level(course, place, self.model) else { return Ok(()) };
+        let level = varied.level(course, place, self.model).ok()?;
         let weights = Weights::of(Side::Both, level.h);
         for ((model, values), offset) in level.near.iter().zip(OFFSETS) {
             let mut room = Room::default();
@@ -77,7 +81,7 @@ impl Analysis<'_> {
             let plan = (self.plan, values);
             let options = (&Options::default(), self.means);
             let mut own = Analysis::new(model, plan, options, (&mut room, &mut nobody));
-            own.open_step(number, &mut start)?;
+            own.open_step(number, &mut start).ok()?;
             own.locate(number);
             states.push(room.committed);
             starts.push(start);
@@ -85,7 +89,7 @@ impl Analysis<'_> {
         let own = &mut varied.courses[course];
         combine_states(weights.near.into_iter().zip(&mut states), &mut own.state);
         combine_starts(weights.near.into_iter().zip(&mut starts), &mut own.start);
-        Ok(())
+        Some(())
     }
 
     /// Where contact stands at the beginning of a step.

@@ -71,7 +71,7 @@ impl Analysis<'_> {
 
     /// One step: increments until its end, or until none can be found.
     fn step(&mut self, number: usize, work: &mut Scratch) -> Result<(), Left> {
-        self.note_before(number);
+        self.note_before();
         let mut start = std::mem::take(self.start);
         let changed = self.open_step(number, &mut start);
         let done = changed.and_then(|()| self.all_increments(number, (&start, None), work));
@@ -130,7 +130,7 @@ impl Analysis<'_> {
             } else {
                 let before = number.checked_sub(2).map(|before| &model.steps[before].presence);
                 crate::commit::locate_points(contact, before, self.committed, work.places());
-                self.differentiate_beginning(number)?;
+                self.differentiate_beginning(number);
             }
             if !begun {
                 self.begin(&problem, number, from, work)?;
