@@ -54,7 +54,7 @@ pub(crate) fn fields(line: Stretch<'_>) -> (Vec<Field>, Option<Span>) {
         pieces.pop();
     }
     let field =
-        |piece: &Stretch<'_>| Field { text: unquoted(piece.text).to_owned(), span: piece.span() };
+        |piece: &Stretch<'_>| Field { text: unquoted(piece.text), span: piece.span() };
     (pieces.iter().map(field).collect(), open)
 }
 
@@ -62,8 +62,8 @@ pub(crate) fn fields(line: Stretch<'_>) -> (Vec<Field>, Option<Span>) {
 pub(crate) fn word(piece: Stretch<'_>) -> Word {
     let raw = unquoted(piece.text);
     let quoted = raw.len() != piece.text.len();
-    let name = if quoted { raw.to_owned() } else { normalise(raw) };
-    Word { raw: raw.to_owned(), name, span: piece.span() }
+    let name = if quoted { raw.clone() } else { normalise(&raw) };
+    Word { raw, name, span: piece.span() }
 }
 
 /// `NAME` or `NAME=VALUE`.
@@ -93,8 +93,10 @@ pub fn comment_as_card(comment: &Comment) -> Option<Card> {
     Some(Card { keyword, parameters, data: Vec::new(), span: comment.span })
 }
 
-fn unquoted(text: &str) -> &str {
-    text.strip_prefix('"').and_then(|rest| rest.strip_suffix('"')).unwrap_or(text)
+/// A value without its quotation marks, which may stand about a part of a name only:
+/// `ARM-1."top face"`.
+fn unquoted(text: &str) -> String {
+    text.chars().filter(|&c| c != '"').collect()
 }
 
 #[cfg(test)]
@@ -112,6 +114,13 @@ mod tests {
         assert_eq!(texts, ["1", "2.5", "", "a, b"]);
         assert_eq!((fields[1].span.start, fields[1].span.end), (104, 107));
         assert!(open.is_none());
+    }
+
+    #[test]
+    fn a_part_of_a_name_may_be_quoted() {
+        let (fields, open) = fields(stretch("ARM-1.\"a, b\", \"ARM 1\".\"tip\""));
+        let texts: Vec<_> = fields.iter().map(|field| field.text.as_str()).collect();
+        assert_eq!((texts, open), (vec!["ARM-1.a, b", "ARM 1.tip"], None));
     }
 
     #[test]

@@ -169,16 +169,29 @@ fn nodes(card: &Reading<'_>, draft: &mut Draft) -> Option<Extent> {
     let mut nodes = Vec::new();
     for line in card.data() {
         draft.log.at_most(line, 2);
-        if let Some(area) = line.field(1) {
-            let message = "an area given for the nodes of a surface is not supported";
-            let error = Diagnostic::error(Code("SL0221"), message).at(area.span);
-            draft.log.push(error.help(
-                "remove it: the area of a node is half the distance to its neighbours times the \
-                 thickness of *SURFACE INTERACTION",
-            ));
+        if line.field(1).is_some() {
+            area(card, line, draft);
         }
         let target = draft.log.target(line, 0, "the node set");
         nodes.extend(target.map(|target| (target, line.fields[0].span)));
     }
     Some(Extent::Nodes(nodes))
+}
+
+/// The area of a node, which CAE programs write as 1 wherever a set of nodes is made a surface.
+fn area(card: &Reading<'_>, line: &DataLine, draft: &mut Draft) {
+    let Some(value) = draft.log.number_or(line, 1, 1.0) else { return };
+    let field = &line.fields[1];
+    if value <= 0.0 {
+        draft.log.error("SL0210", "the area of a node is positive", field.span);
+        return;
+    }
+    if draft.log.first_time(&format!("area {}", card.span().start)) {
+        let message = "the area given for the nodes of this surface is not used";
+        let note = Diagnostic::note(Code("SL0257"), message).at(field.span);
+        draft.log.push(note.help(
+            "where the surface is in contact, the area of a node is its share of the faces or \
+             beams that it belongs to: pressures are per area, and forces the same",
+        ));
+    }
 }

@@ -103,18 +103,25 @@ fn elements(target: &Target, span: Span, draft: &mut Draft) -> Vec<usize> {
     }
 }
 
+fn no_pressure(kind: ElementKind, line: &Distributed, draft: &mut Draft) {
+    let message = format!("a {} element takes no pressure on a face", kind.name());
+    let error = Diagnostic::error(Code("SL0221"), message).at(line.origin);
+    draft.consequence(Subject::Elements, error.help("use *CLOAD on its nodes"));
+}
+
 fn on_face(own: &SolidFace, line: &Distributed, draft: &mut Draft) -> Option<((usize, Key), What)> {
     let element = draft.elements[own.element];
-    let ElementKind::Structural(row) = element.kind else { return None };
+    let ElementKind::Structural(row) = element.kind else {
+        no_pressure(element.kind, line, draft);
+        return None;
+    };
     let thickness = section(own.element, draft).map_or(1.0, |(thickness, _)| thickness);
     let face = own.face.and_then(|_| match row.is_ring() {
         true => Face::of_ring(own.nodes.len()),
         false => Face::of(row.cell.dimension, own.nodes.len(), thickness),
     });
     let Some(face) = face else {
-        let message = format!("a {} element takes no pressure on a face", element.kind.name());
-        let error = Diagnostic::error(Code("SL0221"), message).at(line.origin);
-        draft.consequence(Subject::Elements, error.help("use *CLOAD on its nodes"));
+        no_pressure(element.kind, line, draft);
         return None;
     };
     if let Some(why) = leaves(line.kind, row, draft.dialect) {

@@ -174,8 +174,12 @@ pub(super) fn face_nodes(
     draft: &Draft,
 ) -> Option<Vec<NodeIndex>> {
     let element = draft.elements[index];
-    let ElementKind::Structural(row) = element.kind else { return None };
     let find = |place: usize| draft.model.nodes.find(*element.nodes().get(place)?);
+    let ElementKind::Structural(row) = element.kind else {
+        // a rigid mesh has one face an element
+        let mesh = element.kind.bare().filter(|_| face == Some(0))?;
+        return (0..mesh.nodes).map(find).collect();
+    };
     match face {
         Some(face) => row.cell.faces.get(face)?.iter().map(|&place| find(place)).collect(),
         None => (0..row.cell.nodes).map(find).collect(),
@@ -194,10 +198,11 @@ fn free(found: &[usize], span: Span, draft: &Draft, into: &mut Vec<SolidFace>) {
     let mut owners: HashMap<Vec<NodeIndex>, usize> = HashMap::new();
     let mut all = Vec::new();
     for &index in found {
-        let ElementKind::Structural(row) = draft.elements[index].kind else { continue };
-        let faces: Vec<Option<usize>> = match row.cell.faces.len() {
-            0 => vec![None],
-            count => (0..count).map(Some).collect(),
+        let faces: Vec<Option<usize>> = match draft.elements[index].kind {
+            ElementKind::Structural(row) if row.cell.faces.is_empty() => vec![None],
+            ElementKind::Structural(row) => (0..row.cell.faces.len()).map(Some).collect(),
+            kind if kind.bare().is_some() => vec![Some(0)],
+            _ => continue,
         };
         for face in faces {
             let Some(nodes) = face_nodes(index, face, draft) else { continue };

@@ -36,6 +36,7 @@ mod pressures;
 mod remarks;
 mod requests;
 mod resting;
+mod rigid_faces;
 mod rubber;
 mod section_prints;
 mod sections;

@@ -1,4 +1,4 @@
-//! The outside of the solids of a model, part by part.
+//! The outside of the solids of a model, part by part; a rigid mesh is all outside.
 //!
 //! ```text
 //!    +-----+
@@ -20,7 +20,7 @@ use crate::log::Target;
 /// Faces of the skin, by their places in it.
 pub(super) type Patch = BTreeSet<usize>;
 
-/// All outer faces of solids.
+/// All outer faces of solids, and those of rigid meshes.
 pub(super) struct Skin {
     /// The faces.
     pub faces: Vec<SolidFace>,
@@ -170,7 +170,7 @@ impl Skin {
 fn is_solid(element: usize, draft: &Draft) -> bool {
     match draft.elements[element].kind {
         ElementKind::Structural(row) => !row.cell.faces.is_empty(),
-        _ => false,
+        kind => kind.bare().is_some(),
     }
 }
 
@@ -199,7 +199,7 @@ fn last(face: &SolidFace, draft: &Draft) -> [f64; 3] {
 fn face_is_edge(face: &SolidFace, draft: &Draft) -> bool {
     match draft.elements[face.element].kind {
         ElementKind::Structural(row) => row.cell.dimension == 2,
-        _ => false,
+        kind => kind.bare().is_some_and(|mesh| !mesh.spatial),
     }
 }
 

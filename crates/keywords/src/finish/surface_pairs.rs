@@ -31,6 +31,7 @@ use super::laws_of_pairs::{as_read, refuse_bonds};
 use super::master_chain::slide_line;
 use super::own_surface::own_surface;
 use super::remarks::remarks;
+use super::rigid_faces;
 use super::sides::{Parts, Sides, Slaves, is_of_solids, refuse};
 use super::spread::{corners, sharp_edges, spread};
 use super::surfaces::{Found, between_nodes, contact_elements, found, stretches};
@@ -140,7 +141,11 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
     }
     let first = found(&slave, pairing.slave.span, draft);
     let second = found(&master, pairing.master.span, draft);
-    let (Some(first), Some(second)) = (first, second) else { return };
+    let (Some(first), Some(mut second)) = (first, second) else { return };
+    let turned = rigid_faces::turned(pairing, &master, (&first, &mut second), draft);
+    if rigid_faces::cannot_be_slave(pairing, &first, draft) || turned.is_none() {
+        return;
+    }
     let sides = Sides { slave, master };
     let thickness = thickness_of(pairing, &first, draft);
     let of_solids = [&first, &second].into_iter().any(is_of_solids);

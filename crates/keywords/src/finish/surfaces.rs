@@ -12,6 +12,7 @@ use slideline_model::{
 use super::chain::Facet;
 use super::faces::{elements_of, free_faces, of_stretch};
 use super::owners::owner;
+use super::rigid_faces;
 use super::swept::swept;
 use crate::draft::{Draft, Element, ElementKind};
 use crate::log::Target;
@@ -47,9 +48,9 @@ impl Draft {
         found
     }
 
-    /// The end nodes of a beam and its middle node, if it has one; `None`
+    /// The end nodes of a beam or of a rigid line, and its middle node, if it has one; `None`
     /// where undefined, which has been reported.
-    fn beam_nodes(&self, beam: &Element) -> Option<([NodeIndex; 2], Option<NodeIndex>)> {
+    fn line_nodes(&self, beam: &Element) -> Option<([NodeIndex; 2], Option<NodeIndex>)> {
         let find = |at: usize| self.model.nodes.find(*beam.nodes.get(at)?);
         let last = beam.kind.node_count().checked_sub(1)?;
         let middle = if last == 2 { Some(find(1)?) } else { None };
@@ -74,24 +75,32 @@ pub(super) fn found(surface: &NamedSurface, user: Span, draft: &mut Draft) -> Op
     }
 }
 
-/// Whether a surface names volumes.
+/// Whether a surface names volumes, or rigid meshes of space.
 fn is_in_space(stretches: &[Stretch], draft: &mut Draft) -> bool {
     let volume = |&index: &usize, draft: &Draft| match draft.elements[index].kind {
         ElementKind::Structural(row) => row.cell.dimension == 3,
-        _ => false,
+        kind => kind.bare().is_some_and(|mesh| mesh.spatial),
     };
     stretches.iter().any(|stretch| {
         elements_of(stretch, draft).first().is_some_and(|index| volume(index, draft))
     })
 }
 
-/// The faces of volumes of a surface, each once.
+/// The faces of volumes and of rigid meshes of a surface, each once.
 fn spatial_faces(surface: &NamedSurface, draft: &mut Draft) -> Option<Vec<ContactFace>> {
     let Extent::Elements(stretches) = &surface.extent else { return None };
     let (mut found, mut seen) = (Vec::new(), HashSet::new());
     for stretch in stretches {
         let elements = elements_of(stretch, draft);
-        for face in of_stretch(&elements, stretch, draft) {
+        let (rigid, others) = rigid_faces::apart(&elements, draft);
+        for index in rigid {
+            let Some(nodes) = rigid_faces::of(index, stretch, draft) else { continue };
+            let element = draft.elements[index];
+            if seen.insert((index, None)) {
+                found.push(ContactFace { label: element.label, nodes, origin: element.origin });
+            }
+        }
+        for face in of_stretch(&others, stretch, draft) {
             let element = draft.elements[face.element];
             if face.nodes.len() < 3 {
                 no_surface(surface, face.element, stretch.span, draft);
@@ -148,17 +157,18 @@ fn facets(surface: &NamedSurface, stretches: &[Stretch], draft: &mut Draft) -> O
     let mut facets: Vec<Facet> = Vec::new();
     let mut seen = HashSet::new();
     for stretch in stretches {
-        let (beams, others): (Vec<usize>, Vec<usize>) = elements_of(stretch, draft)
-            .into_iter()
-            .partition(|&index| draft.elements[index].kind.is_beam());
+        let all = elements_of(stretch, draft);
+        let (rigid, others) = rigid_faces::apart(&all, draft);
+        let (beams, others): (Vec<usize>, Vec<usize>) =
+            others.into_iter().partition(|&index| draft.elements[index].kind.is_beam());
         let without = |&&index: &&usize| !has_edges(draft.elements[index].kind);
         if let Some(&index) = others.iter().find(without) {
             no_surface(surface, index, stretch.span, draft);
             return None;
         }
-        for index in beams {
+        for index in rigid.into_iter().chain(beams) {
             let element = draft.elements[index];
-            let Some((nodes, middle)) = draft.beam_nodes(&element) else { continue };
+            let Some((nodes, middle)) = draft.line_nodes(&element) else { continue };
             let side = stretch.side;
             if !draft.has_no_length(&element, nodes) && seen.insert((index, None, side)) {
                 let (label, origin) = (element.label, element.origin);
@@ -264,7 +274,7 @@ pub(super) fn stretches(
     let mut reached = HashSet::new();
     let mut beams = Vec::new();
     for element in draft.elements.iter().filter(|element| element.kind.is_beam()) {
-        let Some((nodes, middle)) = draft.beam_nodes(element) else { continue };
+        let Some((nodes, middle)) = draft.line_nodes(element) else { continue };
         if nodes.iter().all(|node| members.contains(node)) && nodes[0] != nodes[1] {
             let middle = middle.filter(|node| members.contains(node));
             reached.extend(nodes.into_iter().chain(middle));
