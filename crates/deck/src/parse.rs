@@ -194,9 +194,12 @@ impl Reader<'_> {
             self.keep(page, line, kind);
         }
         let next = lines.last().map_or(first.end, |line| line.end);
-        if kind == LineKind::Include
-            && let Some(loaded) = self.include()
-        {
+        let loaded = match kind {
+            LineKind::Include => self.include(),
+            LineKind::Keyword(card) => self.data_elsewhere(card),
+            _ => None,
+        };
+        if let Some(loaded) = loaded {
             self.file(&loaded.name, loaded.bytes);
         }
         next

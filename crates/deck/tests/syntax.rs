@@ -183,3 +183,25 @@ fn a_comment_can_be_read_as_the_keyword_it_hides() {
     assert_eq!(card.parameter("ELSET").and_then(|p| p.value.as_ref()).unwrap().name, "ISL");
     assert!(deck.comments[1..].iter().all(|c| slideline_deck::comment_as_card(c).is_none()));
 }
+
+/// Requirement: `INPUT=` of a card draws data lines in from a file, before those behind the card; of
+/// keywords that have none in a file it stays a parameter. A file that is missing is named.
+#[test]
+fn data_lines_from_another_file() {
+    use slideline_deck::Texts;
+    let texts = [("far.txt".to_owned(), "1, 0., 0.\n** between\n2, 1., 0.\n".to_owned())];
+    let read = |deck: &str| {
+        let mut sources = slideline_diag::Sources::default();
+        slideline_deck::parse(&mut sources, "deck.inp", deck.as_bytes(), &Texts(&texts))
+    };
+    let parsed = read("*NODE, NSET=ALL, INPUT=far.txt\n3, 2., 0.\n*NSET, NSET=A\n1\n");
+    let numbers = |card: &slideline_deck::Card| -> Vec<String> {
+        card.data.iter().map(|line| line.fields[0].text.clone()).collect()
+    };
+    assert!(parsed.diagnostics.is_empty(), "{:?}", parsed.diagnostics);
+    assert_eq!(numbers(&parsed.deck.cards[0]), ["1", "2", "3"]);
+    assert_eq!(numbers(&parsed.deck.cards[1]), ["1"]);
+    assert!(read("*BOUNDARY, INPUT=far.txt\n1, 1\n").deck.cards[0].data.len() == 1);
+    let missing = read("*ELEMENT, TYPE=B21, INPUT=none.txt\n");
+    assert_eq!(missing.diagnostics[0].code.0, "SL0120");
+}

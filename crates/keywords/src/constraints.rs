@@ -103,6 +103,10 @@ pub(crate) struct Coupling {
     pub reference_span: Span,
     pub points: Vec<Points>,
     pub kind: CouplingKind,
+    /// Largest distance of a coupled node from the reference node [L], where the card gives one.
+    pub within: Option<f64>,
+    /// The `*ORIENTATION` along whose axes the dofs are named.
+    pub axes: Option<(String, Span)>,
     pub origin: Span,
 }
 
@@ -155,5 +159,27 @@ pub(crate) enum CouplingKind {
     /// They follow it rigidly, with these dofs.
     Kinematic([bool; 6]),
     /// It follows their mean, with these dofs.
-    Distributing([bool; 6]),
+    Distributing([bool; 6], Fading),
+}
+
+/// How the weight of a node falls with its distance from the reference node, of the largest one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub(crate) enum Fading {
+    #[default]
+    Uniform,
+    Linear,
+    Quadratic,
+    Cubic,
+}
+
+impl Fading {
+    /// The factor of a weight at a part 0 to 1 of the largest distance [1].
+    pub fn at(self, part: f64) -> f64 {
+        match self {
+            Self::Uniform => 1.0,
+            Self::Linear => 1.0 - part,
+            Self::Quadratic => 1.0 - part * part,
+            Self::Cubic => 1.0 - part * part * (3.0 - 2.0 * part),
+        }
+    }
 }

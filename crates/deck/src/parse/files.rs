@@ -3,10 +3,14 @@
 use slideline_diag::{Code, Diagnostic, FileId, Span};
 
 use super::reader::{Page, Reader};
-use crate::card::LineKind;
+use crate::card::{LineKind, Word};
 use crate::include::{LoadError, Loaded};
 use crate::limits::{MAX_BYTES, MAX_DEPTH, MAX_FILES, MAX_LINES, MAX_NULS, MAX_VALUES};
 use crate::lines::RawLine;
+
+/// Keywords whose data lines may stand in a file of their own, `INPUT=`.
+const WITH_DATA_ELSEWHERE: [&str; 5] =
+    ["NODE", "ELEMENT", "AMPLITUDE", "INITIALCONDITIONS", "TEMPERATURE"];
 
 impl Reader<'_> {
     /// Why a file is not read at all.
@@ -61,6 +65,22 @@ impl Reader<'_> {
             self.report(error.at(card.span).help("write *INCLUDE, INPUT=file.inp"));
             return None;
         };
+        self.further(&input)
+    }
+
+    /// The file with the data of a card, if it names one that can be read: its lines come before
+    /// those behind the card.
+    pub(super) fn data_elsewhere(&mut self, card: usize) -> Option<Loaded> {
+        let card = self.deck.cards.get(card)?;
+        if !WITH_DATA_ELSEWHERE.contains(&card.keyword.name.as_str()) {
+            return None;
+        }
+        let input = card.parameter("INPUT").and_then(|parameter| parameter.value.clone())?;
+        self.further(&input)
+    }
+
+    /// A further file, as far as there may be more.
+    fn further(&mut self, input: &Word) -> Option<Loaded> {
         if self.open_files.len() > MAX_DEPTH {
             let message = format!("files are included more than {MAX_DEPTH} deep");
             self.report(Diagnostic::error(Code("SL0122"), message).at(input.span));

@@ -25,6 +25,7 @@ impl Keyword for Amplitude {
             Rule::value("SHIFTY"),
             Rule::value("FIXED INTERVAL"),
             Rule::value("BEGIN"),
+            Rule::value("INPUT"),
         ];
         RULES
     }

@@ -39,13 +39,13 @@ impl Keyword for Coupling {
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         draft.log.at_most_lines(card.data(), 0, self.name());
-        for parameter in ["INFLUENCE RADIUS", "ORIENTATION"] {
-            if card.has(parameter) {
-                let message = format!("*COUPLING, {parameter}= is not supported");
-                draft.log.error("SL0221", message, card.span_of(parameter));
-            }
-        }
         draft.owner = Owner::Broken;
+        let Some(within) = card.number("INFLUENCE RADIUS", &mut draft.log) else { return };
+        if within.is_some_and(|radius| radius <= 0.0) {
+            let span = card.span_of("INFLUENCE RADIUS");
+            draft.log.error("SL0210", "INFLUENCE RADIUS must be positive", span);
+            return;
+        }
         let Some(reference) = super::rigid_body::node(card, "REF NODE", draft) else { return };
         let Some(name) = card.name("SURFACE") else { return };
         draft.owner = Owner::Coupling(draft.couplings.len());
@@ -55,6 +55,8 @@ impl Keyword for Coupling {
             reference_span: card.span_of("REF NODE"),
             points: vec![Points::Surface(Named { name, span: card.span_of("SURFACE") })],
             kind: CouplingKind::Open,
+            within,
+            axes: card.name("ORIENTATION").map(|name| (name, card.span_of("ORIENTATION"))),
             origin: card.span(),
         });
     }

@@ -1,6 +1,6 @@
 //! `*DISTRIBUTING`: the reference node of a coupling follows the mean of the nodes.
 
-use crate::constraints::CouplingKind;
+use crate::constraints::{CouplingKind, Fading};
 use crate::draft::{Draft, Owner};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
@@ -35,13 +35,19 @@ impl Keyword for Distributing {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        card.choice("WEIGHTING METHOD", &["UNIFORM"], &mut draft.log);
+        let methods = &["UNIFORM", "LINEAR", "QUADRATIC", "CUBIC"];
+        let fading = match card.choice("WEIGHTING METHOD", methods, &mut draft.log) {
+            Some("LINEAR") => Fading::Linear,
+            Some("QUADRATIC") => Fading::Quadratic,
+            Some("CUBIC") => Fading::Cubic,
+            _ => Fading::Uniform,
+        };
         card.choice("COUPLING", &["CONTINUUM", "STRUCTURAL"], &mut draft.log);
         let dofs = super::kinematic::dofs(card, draft);
         match draft.owner {
             Owner::Coupling(index) => {
                 if let Some(coupling) = draft.couplings.get_mut(index) {
-                    coupling.kind = CouplingKind::Distributing(dofs);
+                    coupling.kind = CouplingKind::Distributing(dofs, fading);
                 }
             }
             _ => draft.orphan(self.name(), "COUPLING", card.span()),

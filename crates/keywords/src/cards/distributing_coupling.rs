@@ -2,7 +2,7 @@
 
 use slideline_deck::DataLine;
 
-use crate::constraints::{Coupling, CouplingKind, Points};
+use crate::constraints::{Coupling, CouplingKind, Fading, Points};
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::log::Target;
@@ -44,7 +44,9 @@ impl Keyword for DistributingCoupling {
             of_element: true,
             reference_span: card.span_of("ELSET"),
             points,
-            kind: CouplingKind::Distributing([true; 6]),
+            kind: CouplingKind::Distributing([true; 6], Fading::Uniform),
+            within: None,
+            axes: None,
             origin: card.span(),
         });
     }

@@ -20,7 +20,8 @@ impl Keyword for Element {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] = &[Rule::required("TYPE"), Rule::value("ELSET")];
+        const RULES: &[Rule] =
+            &[Rule::required("TYPE"), Rule::value("ELSET"), Rule::value("INPUT")];
         RULES
     }
 

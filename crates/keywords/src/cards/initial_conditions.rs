@@ -18,7 +18,7 @@ impl Keyword for InitialConditions {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] = &[Rule::required("TYPE")];
+        const RULES: &[Rule] = &[Rule::required("TYPE"), Rule::value("INPUT")];
         RULES
     }
 

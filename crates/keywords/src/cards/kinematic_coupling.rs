@@ -46,6 +46,8 @@ impl Keyword for KinematicCoupling {
                 reference_span: card.span_of("REF NODE"),
                 points: vec![points],
                 kind: CouplingKind::Kinematic(dofs),
+                within: None,
+                axes: None,
                 origin: line.span,
             });
         }

@@ -14,7 +14,7 @@ impl Keyword for Node {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] = &[Rule::value("NSET"), Rule::value("SYSTEM")];
+        const RULES: &[Rule] = &[Rule::value("NSET"), Rule::value("SYSTEM"), Rule::value("INPUT")];
         RULES
     }
 

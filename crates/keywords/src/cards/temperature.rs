@@ -14,8 +14,12 @@ impl Keyword for Temperature {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] =
-            &[Rule::value("OP"), Rule::value("AMPLITUDE"), Rule::value("TIME DELAY")];
+        const RULES: &[Rule] = &[
+            Rule::value("OP"),
+            Rule::value("AMPLITUDE"),
+            Rule::value("TIME DELAY"),
+            Rule::value("INPUT"),
+        ];
         RULES
     }
 

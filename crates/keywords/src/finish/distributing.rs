@@ -36,7 +36,7 @@ pub(super) fn distribute(
 ) {
     let directions = draft.model.directions();
     let follows = |dof: &Dof| match dof.is_rotation() {
-        true => mean == Mean::Motion,
+        true => mean == Mean::Motion && dofs[*dof as usize],
         false => dofs[*dof as usize],
     };
     let wanted: Vec<Dof> = directions.iter().copied().filter(follows).collect();

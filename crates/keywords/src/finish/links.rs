@@ -3,13 +3,12 @@
 
 use std::collections::HashSet;
 
-use slideline_diag::{Code, Diagnostic, Span};
-use slideline_model::{Dialect, Dof, NodeIndex, RigidLink};
+use slideline_diag::{Code, Diagnostic};
+use slideline_model::{Dof, NodeIndex, RigidLink};
 
-use super::distributing::{Mean, distribute};
+use super::coupling::couple;
 use super::equations;
-use super::faces::nodes_of_surface;
-use crate::constraints::{Coupling, CouplingKind, Link, LinkKind, Points};
+use crate::constraints::{CouplingKind, Link, LinkKind};
 use crate::draft::Draft;
 use crate::log::Target;
 use crate::rule::Subject;
@@ -77,7 +76,7 @@ fn tie_body(body: &RigidBody, draft: &mut Draft) {
     }
 }
 
-fn tie(link: RigidLink, draft: &mut Draft) {
+pub(super) fn tie(link: RigidLink, draft: &mut Draft) {
     let RigidLink { dependent, origin, .. } = link;
     let own = |dof: &Dof| link.follows[*dof as usize];
     let dofs: Vec<Dof> = Dof::ALL.into_iter().filter(own).collect();
@@ -149,76 +148,6 @@ pub(super) fn turning(draft: &Draft) -> HashSet<(NodeIndex, Dof)> {
         }
     }
     turning
-}
-
-/// The node of the only element of a set, which is one of a coupling.
-fn reference_element(set: &str, span: Span, draft: &mut Draft) -> Option<NodeIndex> {
-    let found = draft.elements_of(set, span)?;
-    let references = found.iter().filter(|&&index| draft.elements[index].kind.is_reference());
-    let nodes: Vec<u64> = references.map(|&index| draft.elements[index].nodes[0]).collect();
-    if let [label] = *nodes
-        && found.len() == 1
-    {
-        return draft.model.nodes.find(label);
-    }
-    let message = format!("the set {set} must have one element, of type DCOUP2D or DCOUP3D");
-    let error = Diagnostic::error(Code("SL0317"), message).at(span);
-    draft.consequence(Subject::Elements, error.help("each coupling has an element of its own"));
-    None
-}
-
-/// The nodes of a coupling and its reference node.
-fn couple(coupling: &Coupling, draft: &mut Draft) {
-    let reference = match &coupling.reference {
-        Target::Set(set) if coupling.of_element => {
-            reference_element(set, coupling.reference_span, draft)
-        }
-        node => draft.reference_of(node, coupling.reference_span),
-    };
-    let mut nodes: Vec<(NodeIndex, f64)> = Vec::new();
-    let before = draft.log.errors();
-    for points in &coupling.points {
-        match points {
-            Points::Nodes { target, span, weight } => {
-                let found = draft.nodes_of(target, *span);
-                nodes.extend(found.into_iter().map(|node| (node, *weight)));
-            }
-            Points::Surface(named) => {
-                let Some(surface) = draft.surface(named) else { continue };
-                let found = nodes_of_surface(&surface, named.span, draft);
-                nodes.extend(found.into_iter().map(|node| (node, 1.0)));
-            }
-        }
-    }
-    let Some(master) = reference else { return };
-    let mut seen = HashSet::from([master]);
-    nodes.retain(|&(node, _)| seen.insert(node));
-    let origin = coupling.origin;
-    if nodes.is_empty() {
-        if draft.log.errors() == before {
-            let error = Diagnostic::error(Code("SL0317"), "this coupling has no nodes").at(origin);
-            let help = "name nodes other than the reference node";
-            draft.consequence(Subject::Links, error.help(help));
-        }
-        return;
-    }
-    match coupling.kind {
-        CouplingKind::Kinematic(follows) => {
-            for (dependent, _) in nodes {
-                tie(RigidLink { dependent, master, follows, turn: None, origin }, draft);
-            }
-        }
-        CouplingKind::Distributing(dofs) => {
-            let older = coupling.of_element && draft.dialect == Dialect::Calculix;
-            let mean = if older { Mean::Displacement } else { Mean::Motion };
-            distribute((master, mean), dofs, &nodes, origin, draft);
-        }
-        CouplingKind::Open => {
-            let message = "*COUPLING does not say how: *KINEMATIC or *DISTRIBUTING must follow";
-            let error = Diagnostic::error(Code("SL0205"), message).at(origin);
-            draft.consequence(Subject::Links, error);
-        }
-    }
 }
 
 /// Complains about rigid meshes that belong to no rigid body.

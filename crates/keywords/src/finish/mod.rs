@@ -7,6 +7,7 @@ mod chain;
 mod changed_sections;
 mod clearances;
 mod contact;
+mod coupling;
 mod distributed;
 mod distributing;
 mod equations;
@@ -55,6 +56,7 @@ mod temperatures;
 mod thicknesses;
 mod tied_pairs;
 mod ties;
+mod tributary;
 mod unit_systems;
 mod unknown;
 

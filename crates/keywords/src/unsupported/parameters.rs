@@ -5,7 +5,7 @@
 type Group = (&'static str, &'static str, &'static [&'static str]);
 
 const GROUPS: &[Group] = &[
-    ("AMPLITUDE", "write the points of the curve on data lines", &["USER", "INPUT", "VARIABLES"]),
+    ("AMPLITUDE", "write the points of the curve on data lines", &["USER", "VARIABLES"]),
     (
         "BEAM SECTION",
         "give the nodes of the axis where the centre line of the beam runs",
@@ -49,7 +49,7 @@ const GROUPS: &[Group] = &[
     (
         "ELEMENT",
         "write the elements on data lines, or draw them in with *INCLUDE, INPUT=",
-        &["INPUT", "FILE", "OFFSET", "SOLID ELEMENT NUMBERING"],
+        &["FILE", "OFFSET", "SOLID ELEMENT NUMBERING"],
     ),
     (
         "HYPERELASTIC",
@@ -64,7 +64,6 @@ const GROUPS: &[Group] = &[
     ("ELCOPY", "copy by numbers, and give *NCOPY the place", &["REFLECT", "SHIFT ELEMENT"]),
     ("NCOPY", "copy with SHIFT: a translation and a rotation", &["REFLECT", "POLE", "ORIENTATION"]),
     ("NFILL", "the nodes stand at equal distances", &["BIAS", "SINGULAR", "TWO STEP"]),
-    ("NODE", "draw the nodes in with *INCLUDE, INPUT=", &["INPUT"]),
     ("PLASTIC", "give one table of yield stress over plastic strain", &["RATE"]),
     (
         "SOLID SECTION",
