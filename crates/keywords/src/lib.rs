@@ -31,6 +31,7 @@ mod motion;
 mod overrides;
 mod parameters;
 mod parts;
+mod paths;
 mod reading;
 mod registry;
 mod requests;

@@ -27,6 +27,8 @@ pub(crate) struct Named {
 pub(crate) struct NamedSurface {
     pub named: Named,
     pub extent: Extent,
+    /// Where areas are given for its nodes.
+    pub areas: Option<Span>,
     pub origin: Span,
 }
 

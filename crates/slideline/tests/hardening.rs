@@ -161,3 +161,23 @@ fn hardening_that_is_refused() {
         assert!(read.model.is_none(), "{plastic}");
     }
 }
+
+/// Requirement: *CYCLIC HARDENING, PARAMETERS grows as s + Q (1 - exp(-b p)), beside a back stress
+/// without recall: pulled, pressed back, pulled again the stress is at the edge of the surface.
+/// Source: by hand; p from the file. Tolerance: that of the table, 2e-6 Q, and of the increments'
+/// rounding.
+#[test]
+fn a_surface_that_grows_exponentially() {
+    let plastic = "*PLASTIC, HARDENING=COMBINED, DATA TYPE=PARAMETERS, NUMBER BACKSTRESSES=1\n\
+                   20., 100., 0.\n*CYCLIC HARDENING, PARAMETERS\n20., 15., 30.\n";
+    let deck = cube(plastic, "C3D8", "", &[0.05, -0.05, 0.05]);
+    let (ends, _) = run("exponential", &deck, Dialect::Abaqus);
+    let (mut plastic_strain, mut before) = (0.0, 0.0);
+    for ([stress, p], way) in ends.into_iter().zip([1.0, -1.0, 1.0]) {
+        plastic_strain += way * (p - before);
+        before = p;
+        let size = 20.0 + 15.0 * (1.0 - (-30.0 * p).exp());
+        near(stress, 100.0 * plastic_strain + way * size, 4e-5, "stress");
+    }
+    assert!(before > 0.15, "{before}");
+}

@@ -6,6 +6,7 @@ use slideline_diag::{Code, Diagnostic, Span};
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
+use crate::paths::{Arc, Path};
 use crate::sets::Item;
 
 /// `*NGEN`.
@@ -34,19 +35,19 @@ impl Keyword for Ngen {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        if card.has("LINE") {
-            let message = "*NGEN, LINE= is not supported: nodes are generated on straight lines";
-            draft.log.error("SL0221", message, card.span_of("LINE"));
+        let line_of = card.choice("LINE", &["P", "C"], &mut draft.log);
+        if card.has("LINE") && line_of.is_none() {
+            return;
         }
         let set = card.name("NSET");
         if let Some(set) = &set {
             draft.node_sets.open(set, card.span());
         }
         for line in card.data() {
-            draft.log.at_most(line, 3);
-            if let Some(row) = row(line, draft) {
-                generate(&row, set.as_deref(), draft);
-            }
+            draft.log.at_most(line, if line_of.is_some() { 10 } else { 3 });
+            let Some(row) = row(line, draft) else { continue };
+            let Some(path) = path(line_of, line, &row, draft) else { continue };
+            generate(&row, &path, set.as_deref(), draft);
         }
     }
 }
@@ -88,10 +89,47 @@ fn end(label: u64, at: usize, line: &DataLine, draft: &mut Draft) -> Option<[f64
     index.map(|index| draft.model.nodes.get(index).position)
 }
 
-/// Nodes at equal distances: x_k = x_a + (x_b - x_a) k/n, ends included in
-/// the set. [semantics: deck language, *NGEN]
-fn generate(row: &Row, set: Option<&str>, draft: &mut Draft) {
+/// The line on which nodes are generated.
+fn path(kind: Option<&str>, line: &DataLine, row: &Row, draft: &mut Draft) -> Option<Path> {
     let [a, b] = row.ends;
+    let Some(kind) = kind else { return Some(Path::Straight(a, b)) };
+    let extra = match line.field(3) {
+        Some(_) => {
+            let label = draft.log.label(line, 3, "the extra point")?;
+            end(label, 3, line, draft)?
+        }
+        None => place(line, 4, draft)?,
+    };
+    if kind == "P" {
+        return Some(Path::Parabola(a, extra, b));
+    }
+    let normal = match line.fields.len() > 7 {
+        true => Some(place(line, 7, draft)?),
+        false => None,
+    };
+    let arc = Arc::through(a, b, extra, normal);
+    if arc.is_none() {
+        let message = "these points make no arc: an end is at the centre, or they are in one line";
+        let error = Diagnostic::error(Code("SL0232"), message).at(line.span);
+        draft.log.push(error.help(
+            "an arc of 180 degrees or more needs its axis, the 8th to 10th number: nodes go round \
+             it by the right hand",
+        ));
+    }
+    arc.map(Path::Arc)
+}
+
+fn place(line: &DataLine, from: usize, draft: &mut Draft) -> Option<[f64; 3]> {
+    let mut at = [0.0; 3];
+    for (k, value) in at.iter_mut().enumerate() {
+        *value = draft.log.number_or(line, from + k, 0.0)?;
+    }
+    Some(at)
+}
+
+/// Nodes at equal steps along their line, ends included in the set. [semantics: deck language,
+/// *NGEN]
+fn generate(row: &Row, path: &Path, set: Option<&str>, draft: &mut Draft) {
     let step = row.step;
     for k in 0..=row.count {
         let label = if row.last >= row.first { row.first + k * step } else { row.first - k * step };
@@ -103,7 +141,6 @@ fn generate(row: &Row, set: Option<&str>, draft: &mut Draft) {
         }
         #[allow(clippy::cast_precision_loss)] // far below 2^53
         let part = k as f64 / row.count as f64;
-        let between = |axis: usize| a[axis] + (b[axis] - a[axis]) * part;
-        draft.add_node(label, [between(0), between(1), between(2)], row.span, true);
+        draft.add_node(label, path.at(part), row.span, true);
     }
 }

@@ -1,7 +1,7 @@
 //! `*SURFACE`: a named surface.
 
 use slideline_deck::{DataLine, normalise};
-use slideline_diag::{Code, Diagnostic};
+use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::Dialect;
 
 use super::{rigid_surface, swept_surface};
@@ -72,7 +72,8 @@ impl Keyword for Surface {
             _ => elements(card, draft),
         };
         if let Some(extent) = extent {
-            draft.named_surfaces.push(NamedSurface { named, extent, origin: card.span() });
+            let areas = matches!(extent, Extent::Nodes(_)).then(|| areas(card, draft)).flatten();
+            draft.named_surfaces.push(NamedSurface { named, extent, areas, origin: card.span() });
         }
     }
 }
@@ -169,29 +170,23 @@ fn nodes(card: &Reading<'_>, draft: &mut Draft) -> Option<Extent> {
     let mut nodes = Vec::new();
     for line in card.data() {
         draft.log.at_most(line, 2);
-        if line.field(1).is_some() {
-            area(card, line, draft);
-        }
         let target = draft.log.target(line, 0, "the node set");
         nodes.extend(target.map(|target| (target, line.fields[0].span)));
     }
     Some(Extent::Nodes(nodes))
 }
 
-/// The area of a node, which CAE programs write as 1 wherever a set of nodes is made a surface.
-fn area(card: &Reading<'_>, line: &DataLine, draft: &mut Draft) {
-    let Some(value) = draft.log.number_or(line, 1, 1.0) else { return };
-    let field = &line.fields[1];
-    if value <= 0.0 {
-        draft.log.error("SL0210", "the area of a node is positive", field.span);
-        return;
+/// Where a card gives areas of nodes: CAE programs write 1 wherever a set of nodes is made a
+/// surface. They mean something in contact alone, and there with laws of pressure alone.
+fn areas(card: &Reading<'_>, draft: &mut Draft) -> Option<Span> {
+    let mut first = None;
+    for line in card.data() {
+        let Some(field) = line.field(1) else { continue };
+        if draft.log.number_or(line, 1, 1.0)? <= 0.0 {
+            draft.log.error("SL0210", "the area of a node must be positive", field.span);
+            return None;
+        }
+        first = first.or(Some(field.span));
     }
-    if draft.log.first_time(&format!("area {}", card.span().start)) {
-        let message = "the area given for the nodes of this surface is not used";
-        let note = Diagnostic::note(Code("SL0257"), message).at(field.span);
-        draft.log.push(note.help(
-            "where the surface is in contact, the area of a node is its share of the faces or \
-             beams that it belongs to: pressures are per area, and forces the same",
-        ));
-    }
+    first
 }

@@ -15,6 +15,9 @@ use crate::draft::Draft;
 use crate::log::Target;
 use crate::rule::Subject;
 
+/// Factors of weights below this are rounding [1].
+const NOUGHT: f64 = 1e-9;
+
 /// The node of the only element of a set, which is one of a coupling.
 fn reference_element(set: &str, span: Span, draft: &mut Draft) -> Option<NodeIndex> {
     let found = draft.elements_of(set, span)?;
@@ -104,10 +107,13 @@ fn distance(from: NodeIndex, to: NodeIndex, draft: &Draft) -> f64 {
 /// Weights that fall with the distance from the reference node.
 fn fade(nodes: &mut [(NodeIndex, f64)], (fading, master): (Fading, NodeIndex), draft: &Draft) {
     let largest = nodes.iter().map(|&(node, _)| distance(master, node, draft)).fold(0.0, f64::max);
-    if largest > 0.0 {
-        for (node, weight) in nodes {
-            *weight *= fading.at(distance(master, *node, draft) / largest);
-        }
+    let factors: Vec<f64> = nodes
+        .iter()
+        .map(|&(node, _)| fading.at(distance(master, node, draft) / largest.max(f64::MIN_POSITIVE)))
+        .collect();
+    // nodes of one distance count alike, though each is the farthest
+    if factors.iter().any(|factor| *factor > NOUGHT) {
+        nodes.iter_mut().zip(factors).for_each(|((_, weight), factor)| *weight *= factor);
     }
 }
 

@@ -336,7 +336,8 @@ impl Made<'_> {
         let stretches = patch.iter().map(|&face| stretch(&skin.faces[face], span, draft)).collect();
         let named = Named { name: name.clone(), span };
         let extent = Extent::Elements(stretches);
-        draft.named_surfaces.push(NamedSurface { named: named.clone(), extent, origin: span });
+        let surface = NamedSurface { named: named.clone(), extent, areas: None, origin: span };
+        draft.named_surfaces.push(surface);
         self.names.push((side, name));
         named
     }

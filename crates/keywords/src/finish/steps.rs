@@ -339,6 +339,9 @@ fn loads(lines: &[Boundary], draft: &mut Draft) -> Vec<((NodeIndex, Dof), Load)>
 }
 
 fn no_motion(dof: Dof, span: Span, draft: &mut Draft) {
+    if draft.is_spatial() {
+        return; // elements in space that are not made, of which the reason has been said
+    }
     let message = format!("a load on dof {} has no effect in a plane model", dof.number());
     let error = Diagnostic::error(Code("SL0251"), message).at(span);
     draft.consequence(Subject::Elements, error.help("the plane has the dofs 1, 2 and 6"));

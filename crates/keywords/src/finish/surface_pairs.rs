@@ -18,7 +18,8 @@ use std::collections::HashSet;
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
-    Adjust, ContactElement, ContactPair, Formulation, Interaction, Master, Section, Vocabulary,
+    Adjust, ContactElement, ContactPair, Formulation, Interaction, Master, NormalLaw, Section,
+    Vocabulary,
 };
 
 use super::chain::{Chain, Facet};
@@ -146,6 +147,7 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
     if rigid_faces::cannot_be_slave(pairing, &first, draft) || turned.is_none() {
         return;
     }
+    areas_of_nodes(&slave, &interaction, draft);
     let sides = Sides { slave, master };
     let thickness = thickness_of(pairing, &first, draft);
     let of_solids = [&first, &second].into_iter().any(is_of_solids);
@@ -168,6 +170,23 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
     };
     let Some(parts) = parts else { return };
     put_together((pairing, formulation), parts, (interaction, thickness, vocabulary), draft);
+}
+
+/// Complains about areas given for slave nodes where a pressure decides about forces.
+fn areas_of_nodes(slave: &NamedSurface, interaction: &Interaction, draft: &mut Draft) {
+    let Some(span) = slave.areas else { return };
+    let (code, message) = ("SL0257", "the area given for the nodes of this surface is not used");
+    let help = "the area of a node is half the distance to its neighbours times the thickness of \
+                *SURFACE INTERACTION, or its share of faces; with hard contact it changes no force";
+    if interaction.normal == NormalLaw::Hard {
+        draft.log.push(Diagnostic::note(Code(code), message).at(span).help(help));
+        return;
+    }
+    let message = "an area given for the nodes of a surface is not supported";
+    let error = Diagnostic::error(Code("SL0221"), message).at(span);
+    let help = "remove it: the area of a node is half the distance to its neighbours times the \
+                thickness of *SURFACE INTERACTION";
+    draft.consequence(Subject::Contact, error.help(help));
 }
 
 /// A surface that meets itself, at its nodes.
