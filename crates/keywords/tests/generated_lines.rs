@@ -7,7 +7,7 @@ use slideline_model::Dialect;
 
 /// The places of nodes that a deck makes, and the codes of what is said.
 fn read(lines: &str) -> (Vec<(u64, [f64; 3])>, Vec<&'static str>) {
-    let deck = format!("*NODE\n1, 2., 0., 1.\n5, 0., 2., 1.\n9, -2., 0., 1.\n50, 0., 0., 1.\n60, 1., 3., 1.\n{lines}");
+    let deck = format!("*NODE\n1, 2., 0.\n5, 0., 2.\n9, -2., 0.\n50, 0., 0.\n60, 1., 3.\n{lines}");
     let mut sources = slideline_diag::Sources::default();
     let parsed =
         slideline_deck::parse(&mut sources, "a.inp", deck.as_bytes(), &slideline_deck::NoFiles);
@@ -23,11 +23,11 @@ fn read(lines: &str) -> (Vec<(u64, [f64; 3])>, Vec<&'static str>) {
 fn arcs_and_parabolas() {
     let half = 2.0_f64.sqrt();
     for (lines, expected) in [
-        ("*NGEN, LINE=C\n1, 5, 2, 50\n", [half, half, 1.0]),
-        ("*NGEN, LINE=C\n1, 5, 2, , 0., 0., 1.\n", [half, half, 1.0]),
-        ("*NGEN, LINE=C\n1, 5, 2, , 0., 0., 1., 0., 0., -1.\n", [-half, -half, 1.0]),
-        ("*NGEN, LINE=P\n1, 5, 2, 60\n", [1.0, 3.0, 1.0]),
-        ("*NGEN\n1, 5, 2\n", [1.0, 1.0, 1.0]),
+        ("*NGEN, LINE=C\n1, 5, 2, 50\n", [half, half, 0.0]),
+        ("*NGEN, LINE=C\n1, 5, 2, , 0., 0.\n", [half, half, 0.0]),
+        ("*NGEN, LINE=C\n1, 5, 2, , 0., 0., 0., 0., 0., -1.\n", [-half, -half, 0.0]),
+        ("*NGEN, LINE=P\n1, 5, 2, 60\n", [1.0, 3.0, 0.0]),
+        ("*NGEN\n1, 5, 2\n", [1.0, 1.0, 0.0]),
     ] {
         let (places, _) = read(lines);
         let found = places.iter().find(|(label, _)| *label == 3).unwrap().1;
@@ -35,6 +35,6 @@ fn arcs_and_parabolas() {
     }
     let (_, codes) = read("*NGEN, LINE=C\n1, 9, 2, 50\n");
     assert!(codes.contains(&"SL0232"), "{codes:?}");
-    let (places, _) = read("*NGEN, LINE=C\n1, 9, 4, 50, , , , 0., 0., 1.\n");
+    let (places, _) = read("*NGEN, LINE=C\n1, 9, 4, 50, , , , 0., 0.\n");
     assert!(places.iter().any(|(label, _)| *label == 5));
 }
