@@ -53,8 +53,7 @@ pub(crate) fn fields(line: Stretch<'_>) -> (Vec<Field>, Option<Span>) {
     if pieces.len() > 1 && pieces.last().is_some_and(|piece| piece.text.is_empty()) {
         pieces.pop();
     }
-    let field =
-        |piece: &Stretch<'_>| Field { text: unquoted(piece.text), span: piece.span() };
+    let field = |piece: &Stretch<'_>| Field { text: unquoted(piece.text), span: piece.span() };
     (pieces.iter().map(field).collect(), open)
 }
 

@@ -160,8 +160,11 @@ fn without_furniture<'d>(
     Cow::Owned(card)
 }
 
-/// Words only, several to a value, none of them a name of the deck.
+/// Words only, several to a value, none of them a name of the deck nor quoted.
 fn is_furniture(line: &DataLine, names: &HashSet<String>) -> bool {
+    if line.text.contains('"') {
+        return false;
+    }
     let fields =
         line.fields.iter().map(|field| field.text.as_str()).filter(|text| !text.is_empty());
     let mut words = 0;

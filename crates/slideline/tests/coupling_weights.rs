@@ -35,7 +35,13 @@ fn run(deck: &str, dialect: Dialect) -> BTreeMap<u64, [f64; 6]> {
 
 /// Nodes of a face that stand on equal springs along z and are coupled to node 100 above
 /// `centre`, with the solids' own stiffness next to nothing; the shares of a force of 60 on it.
-fn shares(solid: &str, top: &[u64], coupling: &str, centre: [f64; 2], dialect: Dialect) -> Vec<f64> {
+fn shares(
+    solid: &str,
+    top: &[u64],
+    coupling: &str,
+    centre: [f64; 2],
+    dialect: Dialect,
+) -> Vec<f64> {
     let [x, y] = centre;
     let list = |nodes: &[u64]| nodes.iter().map(|n| format!("{n},\n")).collect::<String>();
     let springs: String = top.iter().map(|n| format!("{}, {n}\n", 50 + n)).collect();
@@ -95,7 +101,8 @@ fn forces_are_spread_by_areas() {
         let found = shares(ten, &[1, 2, 3, 5, 6, 7], &plain, [third; 2], dialect);
         compare(&found, &[0.0, 0.0, 0.0, 20.0, 20.0, 20.0], "ten");
     }
-    let nodal = "*SURFACE, NAME=N, TYPE=NODE\nTOP, 1.\n*COUPLING, REF NODE=100, SURFACE=N\n*DISTRIBUTING\n";
+    let nodal =
+        "*SURFACE, NAME=N, TYPE=NODE\nTOP, 1.\n*COUPLING, REF NODE=100, SURFACE=N\n*DISTRIBUTING\n";
     let found = shares(BRICKS, &ON_BRICKS, nodal, [5.0 / 3.0, 1.0], Dialect::Abaqus);
     compare(&found, &[10.0; 6], "nodes");
 }
@@ -165,10 +172,15 @@ fn couplings_along_axes() {
     };
     let deck = format!("{block}{}{}", card("2, 3", ", ORIENTATION=OR"), step(""));
     let end = run(&deck, Dialect::Abaqus);
-    for (node, [x, y]) in [(5, [-5.0, -5.0]), (6, [5.0, -5.0]), (7, [5.0, 5.0]), (8, [-5.0, 5.0_f64])] {
+    for (node, [x, y]) in
+        [(5, [-5.0, -5.0]), (6, [5.0, -5.0]), (7, [5.0, 5.0]), (8, [-5.0, 5.0_f64])]
+    {
         let [ux, uy, uz, ..] = end[&node];
         let (radial, around) = ((x * ux + y * uy) / 50.0, (x * uy - y * ux) / 50.0);
-        assert!((around - 0.001).abs() < 1e-12 && (uz + 0.1).abs() < 1e-12, "{node}: {around} {uz}");
+        assert!(
+            (around - 0.001).abs() < 1e-12 && (uz + 0.1).abs() < 1e-12,
+            "{node}: {around} {uz}"
+        );
         assert!(radial > 1e-4, "{node} does not breathe: {radial}");
     }
     let large = format!("{block}{}{}", card("2, 3", ", ORIENTATION=OR"), step(", NLGEOM"));

@@ -122,8 +122,11 @@ fn rigid_plates_are_faces_of_rigid_solids() {
                   ALL, S2\n*RIGID BODY, ELSET=ALL, REF NODE=300\n*SOLID SECTION, ELSET=ALL, \
                   MATERIAL=M\n";
     let plates = |up: bool, side: &str| {
-        let (four, three) =
-            if up { ("201, 202, 203, 204", "202, 205, 203") } else { ("204, 203, 202, 201", "203, 205, 202") };
+        let (four, three) = if up {
+            ("201, 202, 203, 204", "202, 205, 203")
+        } else {
+            ("204, 203, 202, 201", "203, 205, 202")
+        };
         format!(
             "*ELEMENT, TYPE=R3D4, ELSET=L\n11, {four}\n*ELEMENT, TYPE=R3D3, ELSET=L\n12, {three}\n\
              *SURFACE, NAME=R\nL, {side}\n*RIGID BODY, ELSET=L, REF NODE=300\n"
@@ -137,7 +140,8 @@ fn rigid_plates_are_faces_of_rigid_solids() {
         }
     }
     let expected = run(&space(&plates(true, "SPOS"), &pair("NODE TO SURFACE")));
-    let general = "*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n*CONTACT PROPERTY ASSIGNMENT\n, , I\n";
+    let general =
+        "*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n*CONTACT PROPERTY ASSIGNMENT\n, , I\n";
     let found = run(&space(&plates(false, "SNEG"), general));
     compare(&expected, &found, "general contact");
 }

@@ -21,6 +21,17 @@ impl Keyword for ContactControls {
             Rule::value("FRICTION ONSET"),
             Rule::maybe("STABILIZE"),
             Rule::value("TANGENT FRACTION"),
+            Rule::maybe("MASTER"),
+            Rule::maybe("SLAVE"),
+            Rule::maybe("RESET"),
+            Rule::maybe("AUTOMATIC TOLERANCES"),
+            Rule::maybe("ABSOLUTE PENETRATION TOLERANCE"),
+            Rule::maybe("RELATIVE PENETRATION TOLERANCE"),
+            Rule::maybe("STIFFNESS SCALE FACTOR"),
+            Rule::maybe("LAGRANGE MULTIPLIER"),
+            Rule::maybe("MAXCHP"),
+            Rule::maybe("UERRMX"),
+            Rule::maybe("PERRMX"),
         ];
         RULES
     }
@@ -39,6 +50,7 @@ impl Keyword for ContactControls {
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         if card.has("STABILIZE") {
+            inert(card, draft);
             stabilise(card, draft);
         } else {
             draft.log.at_most_lines(card.data(), 0, self.name());
@@ -48,7 +60,7 @@ impl Keyword for ContactControls {
             }
         }
         if !card.has("FRICTION ONSET") {
-            if !card.has("STABILIZE") {
+            if !card.has("STABILIZE") && !inert(card, draft) {
                 let message = "*CONTACT CONTROLS needs FRICTION ONSET or STABILIZE";
                 draft.log.error("SL0205", message, card.span());
             }
@@ -67,6 +79,33 @@ impl Keyword for ContactControls {
             _ => {}
         }
     }
+}
+
+/// Parameters without effect: of one pair or of all, what stabilises vanishes at the end of the
+/// step, and tolerances are those of the program.
+const INERT: [&str; 11] = [
+    "MASTER",
+    "SLAVE",
+    "RESET",
+    "AUTOMATIC TOLERANCES",
+    "ABSOLUTE PENETRATION TOLERANCE",
+    "RELATIVE PENETRATION TOLERANCE",
+    "STIFFNESS SCALE FACTOR",
+    "LAGRANGE MULTIPLIER",
+    "MAXCHP",
+    "UERRMX",
+    "PERRMX",
+];
+
+/// Whether the card has parameters without effect, which is said.
+fn inert(card: &Reading<'_>, draft: &mut Draft) -> bool {
+    let mut found = false;
+    for name in INERT.into_iter().filter(|name| card.has(name)) {
+        let message = format!("{name} of *CONTACT CONTROLS has no effect here and is ignored");
+        draft.log.note("SL0257", message, card.span_of(name));
+        found = true;
+    }
+    found
 }
 
 /// `STABILIZE[=factor]`; data `coefficient, fraction at the end, clearance`.

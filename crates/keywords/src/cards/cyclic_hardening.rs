@@ -41,7 +41,8 @@ impl Keyword for CyclicHardening {
             return;
         }
         let by_parameters = card.has("PARAMETERS");
-        let what = if by_parameters { "yield stress, Q, b" } else { "yield stress, plastic strain" };
+        let what =
+            if by_parameters { "yield stress, Q, b" } else { "yield stress, plastic strain" };
         let line = card.first_line(what, &mut draft.log);
         let read = |_| if by_parameters { exponential(card, draft) } else { table(card, draft) };
         let table = line.and_then(read).filter(|table| {

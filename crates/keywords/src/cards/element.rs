@@ -1,6 +1,6 @@
 //! `*ELEMENT`: elements and contact elements.
 
-use slideline_deck::{DataLine, Field};
+use slideline_deck::{DataLine, Field, normalise};
 use slideline_diag::{Code, Diagnostic};
 use slideline_model::Dialect;
 
@@ -8,6 +8,7 @@ use crate::draft;
 use crate::draft::Draft;
 use crate::draft::ElementKind;
 use crate::keyword::{Keyword, Level, Rule, Subject};
+use crate::log::Target;
 use crate::reading::Reading;
 use crate::sets::Item;
 
@@ -141,7 +142,18 @@ fn element(
     }
     let mut nodes = [0; draft::MOST_NODES];
     for (node, field) in nodes.iter_mut().zip(given) {
-        *node = draft.log.label_in(field)?;
+        *node = node_in(field, draft)?;
     }
     Some(draft::Element { label, kind, nodes, origin: line.span })
+}
+
+/// A node by its number, or by that of an instance: `ARM-1.12`, as springs between parts name it.
+fn node_in(field: &Field, draft: &mut Draft) -> Option<u64> {
+    if !field.text.contains('.') {
+        return draft.log.label_in(field);
+    }
+    match draft.log.instances.target(normalise(&field.text)) {
+        Target::Label(label) => Some(label),
+        Target::Set(_) => draft.log.label_in(field),
+    }
 }

@@ -5,8 +5,8 @@ use slideline_diag::{Code, Diagnostic, Span};
 
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
-use crate::reading::Reading;
 use crate::paths::{Arc, Path};
+use crate::reading::Reading;
 use crate::sets::Item;
 
 /// `*NGEN`.

@@ -17,21 +17,18 @@ impl Keyword for Static {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] =
-            &[Rule::maybe("DIRECT"), Rule::flag("LONG TERM"), Rule::maybe("STABILIZE")];
+        const RULES: &[Rule] = &[
+            Rule::maybe("DIRECT"),
+            Rule::flag("LONG TERM"),
+            Rule::maybe("STABILIZE"),
+            Rule::value("TOTAL TIME AT START"),
+            Rule::flag("TIME RESET"),
+        ];
         RULES
     }
 
     fn without_effect(&self) -> &'static [&'static str] {
-        &[
-            "SOLVER",
-            "TOTAL TIME AT START",
-            "TIME RESET",
-            "ALLSDTOL",
-            "FACTOR",
-            "CONTINUE",
-            "FULLY PLASTIC",
-        ]
+        &["SOLVER", "ALLSDTOL", "FACTOR", "CONTINUE", "FULLY PLASTIC"]
     }
 
     fn level(&self) -> Level {
@@ -65,6 +62,7 @@ pub(super) fn procedure(
             "no damping is added: equilibrium is found without it, or the run says why not";
         draft.log.note("SL0253", message, card.span_of("STABILIZE"));
     }
+    another_time(card, draft);
     let direct = card.has("DIRECT");
     let procedure = match card.data().first() {
         Some(line) => times(line, direct, card.span(), draft),
@@ -86,6 +84,22 @@ pub(super) fn procedure(
     if let Some(first) = before.and_then(|before| before.origin) {
         let error = Diagnostic::error(Code("SL0242"), format!("a second *{name} in one step"));
         draft.log.push(error.at(origin).label(first, "the first one"));
+    }
+}
+
+/// A total time that does not run on (CalculiX): it moves curves over the total time, and nothing
+/// else but the times that are printed.
+fn another_time(card: &Reading<'_>, draft: &mut Draft) {
+    for name in ["TOTAL TIME AT START", "TIME RESET"].into_iter().filter(|name| card.has(name)) {
+        let span = card.span_of(name);
+        if draft.model.amplitudes.iter().any(|curve| curve.total) {
+            let message = format!("{name} is not supported beside *AMPLITUDE, TIME=TOTAL TIME");
+            let error = Diagnostic::error(Code("SL0221"), message).at(span);
+            draft.log.push(error.help("give the curve over the time of the step"));
+        } else {
+            let message = format!("{name} has no effect here: the total time runs on");
+            draft.log.note("SL0257", message, span);
+        }
     }
 }
 

@@ -22,12 +22,14 @@ impl Keyword for Visco {
             Rule::value("CETOL"),
             Rule::value("CREEP"),
             Rule::maybe("STABILIZE"),
+            Rule::value("TOTAL TIME AT START"),
+            Rule::flag("TIME RESET"),
         ];
         RULES
     }
 
     fn without_effect(&self) -> &'static [&'static str] {
-        &["SOLVER", "TOTAL TIME AT START", "TIME RESET", "ALLSDTOL", "FACTOR", "CONTINUE"]
+        &["SOLVER", "ALLSDTOL", "FACTOR", "CONTINUE"]
     }
 
     fn level(&self) -> Level {

@@ -186,7 +186,8 @@ fn along_axes(
         let taken: Vec<bool> = names.iter().map(is_taken).collect();
         let Some(solved) = solve(rows, moves.len(), &taken) else {
             let label = draft.model.nodes.name(node);
-            let message = format!("dofs of node {label} are prescribed or follow others, and are coupled");
+            let message =
+                format!("dofs of node {label} are prescribed or follow others, and are coupled");
             let error = Diagnostic::error(Code("SL0315"), message).at(coupling.origin);
             draft.consequence(Subject::Links, error.help("leave the node out of one of them"));
             return;

@@ -129,7 +129,8 @@ fn plane(face: &ContactFace, draft: &Draft) -> ([f64; 3], [f64; 3]) {
         (0..3).for_each(|i| centre[i] += at(k)[i] / count as f64);
     }
     // the diagonals of four corners, two edges of three
-    let [a, b, c, d] = if count == 3 { [at(0), at(1), at(0), at(2)] } else { [at(0), at(2), at(1), at(3)] };
+    let [a, b, c, d] =
+        if count == 3 { [at(0), at(1), at(0), at(2)] } else { [at(0), at(2), at(1), at(3)] };
     let [p, q]: [[f64; 3]; 2] =
         [std::array::from_fn(|i| b[i] - a[i]), std::array::from_fn(|i| d[i] - c[i])];
     let cross: [f64; 3] =
