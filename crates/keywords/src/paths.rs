@@ -17,8 +17,10 @@ pub(crate) struct Arc {
     axes: [[f64; 3]; 3],
     /// Angle from the first end to the last.
     angle: f64,
-    /// At the ends [L].
-    radius: [f64; 2],
+    /// At the first end [L].
+    radius: f64,
+    /// By how much the last end is further from the axis [L].
+    growth: f64,
     height: f64,
 }
 
@@ -72,12 +74,12 @@ impl Arc {
         }
         let angle = y.atan2(x);
         let angle = if angle <= 0.0 { angle + std::f64::consts::TAU } else { angle };
-        let (axes, radius) = ([first, second, axis], [radius, last]);
-        Some(Self { centre, axes, angle, radius, height: dot(b, axis) })
+        let (axes, growth) = ([first, second, axis], last - radius);
+        Some(Self { centre, axes, angle, radius, growth, height: dot(b, axis) })
     }
 
     fn at(&self, part: f64) -> [f64; 3] {
-        let radius = self.radius[0] + (self.radius[1] - self.radius[0]) * part;
+        let radius = self.radius + self.growth * part;
         let (sin, cos) = (self.angle * part).sin_cos();
         let parts = [radius * cos, radius * sin, self.height * part];
         std::array::from_fn(|k| {

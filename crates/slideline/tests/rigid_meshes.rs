@@ -146,6 +146,43 @@ fn rigid_plates_are_faces_of_rigid_solids() {
     compare(&expected, &found, "general contact");
 }
 
+/// Requirement: a plate that names both sides of its elements turns the one to its slaves, and a
+/// surface of all nodes of a block, of which some are within it, carries the forces of its outside.
+#[test]
+fn both_sides_and_all_nodes() {
+    let plate = "*ELEMENT, TYPE=R3D4, ELSET=L\n911, 204, 203, 202, 201\n*SURFACE, NAME=R\nL, SPOS\n\
+                 L, SNEG\n*RIGID BODY, ELSET=L, REF NODE=300\n";
+    let one = plate.replacen("L, SPOS\n", "", 1);
+    let sides = [plate, &one].map(|plate| run(&space(plate, &pair("NODE TO SURFACE"))));
+    compare(&sides[1], &sides[0], "both sides");
+    // eight bricks about a node within
+    let mut block = String::from("*NODE, NSET=BLOCK\n");
+    let number = |i: usize, j: usize, k: usize| 1 + i + 3 * j + 9 * k;
+    let mut bricks = String::from("*ELEMENT, TYPE=C3D8, ELSET=E\n");
+    for (i, j, k) in (0..27).map(|n| (n % 3, n / 3 % 3, n / 9)) {
+        block += &format!("{}, {}., {}., {}.\n", number(i, j, k), i, j, k);
+        if i < 2 && j < 2 && k < 2 {
+            let at = |a: usize, b: usize, c: usize| number(i + a, j + b, k + c);
+            let ring = |c| [at(0, 0, c), at(1, 0, c), at(1, 1, c), at(0, 1, c)];
+            let nodes: Vec<String> =
+                ring(0).into_iter().chain(ring(1)).map(|node| node.to_string()).collect();
+            bricks += &format!("{}, {}\n", number(i, j, k), nodes.join(", "));
+        }
+    }
+    let deck = |surface: &str| {
+        format!(
+            "{block}*NODE\n300, 1., 1., -1.\n201, -9., -9., -.01\n202, 9., -9., -.01\n203, 9., 9., -.01\n\
+             204, -9., 9., -.01\n{bricks}{plate}*SOLID SECTION, ELSET=E, MATERIAL=M\n*MATERIAL, \
+             NAME=M\n*ELASTIC\n1000., .3\n{surface}*SURFACE INTERACTION, NAME=I\n*CONTACT PAIR, \
+             INTERACTION=I, TYPE=NODE TO SURFACE\nB, R\n*NSET, NSET=TOP, GENERATE\n19, 27\n*STEP, \
+             NLGEOM\n*STATIC\n.5, 1.\n*BOUNDARY\n300, 1, 6\nTOP, 1, 2\nTOP, 3, 3, -.1\n*END STEP\n"
+        )
+    };
+    let nodes = run(&deck("*SURFACE, TYPE=NODE, NAME=B\nBLOCK, 1.\n"));
+    let faces = run(&deck("*ELSET, ELSET=LOW\n1, 2, 4, 5\n*SURFACE, NAME=B\nLOW, S1\n"));
+    compare(&faces, &nodes, "all nodes");
+}
+
 /// Requirement: a rigid mesh cannot be the slave, and no pressure acts on it: both are said.
 #[test]
 fn what_a_rigid_mesh_cannot() {

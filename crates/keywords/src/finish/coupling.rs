@@ -9,7 +9,8 @@ use slideline_model::{Dialect, Dof, NodeIndex, RigidLink};
 use super::distributing::{Mean, distribute};
 use super::equations::{add, solve};
 use super::orientations::of_section;
-use super::{links, steps, tributary};
+use super::rigid_link::tie;
+use super::{steps, tributary};
 use crate::constraints::{Coupling, CouplingKind, Fading, Points};
 use crate::draft::Draft;
 use crate::log::Target;
@@ -137,7 +138,7 @@ fn kinematic(
     let differs = count > 0 && count < displacements.count();
     let Some((_, span)) = coupling.axes.as_ref().filter(|_| differs) else {
         for &dependent in nodes {
-            links::tie(RigidLink { dependent, master, follows, turn: None, origin }, draft);
+            tie(RigidLink { dependent, master, follows, turn: None, origin }, draft);
         }
         return;
     };

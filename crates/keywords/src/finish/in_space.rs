@@ -2,11 +2,12 @@
 
 use std::collections::HashSet;
 
+use slideline_diag::{Code, Diagnostic};
 use slideline_model::{ContactFace, Dialect, Master, MasterFaces, NodeIndex};
 
 use super::sides::{Parts, Sides, Slaves, refuse};
 use super::surfaces::{Found, Touching, faces_between};
-use crate::draft::Draft;
+use crate::draft::{Draft, Element, ElementKind};
 use crate::surfaces::Pairing;
 
 /// Contact of nodes with faces in space.
@@ -36,33 +37,49 @@ pub(super) fn faces_of(pairing: &Pairing, sides: &Sides, faces: Vec<ContactFace>
 }
 
 /// Slave nodes in space with the faces that give them areas: those all of whose nodes are in the
-/// surface, or in CalculiX all free faces at a node.
+/// surface. In CalculiX, and where a node has none of these, all free faces at a node; nodes within
+/// a solid never touch and are left out.
 fn slaves_of_nodes(pairing: &Pairing, nodes: Vec<NodeIndex>, draft: &mut Draft) -> Option<Slaves> {
-    let name = &pairing.slave.name;
-    let every = draft.dialect == Dialect::Calculix;
-    let which = if every { Touching::AnyNode } else { Touching::AllNodes };
-    let faces = faces_between(&nodes, which, pairing.slave.span, draft);
-    let covered: HashSet<NodeIndex> =
-        faces.iter().flat_map(|face| face.nodes.iter().copied()).collect();
-    let Some(&bare) = nodes.iter().find(|node| !covered.contains(node)) else {
-        let nodes = if every { nodes } else { Vec::new() };
-        return Some(Slaves { faces, nodes, ..Slaves::default() });
+    let span = pairing.slave.span;
+    let covered = |faces: &[ContactFace]| -> HashSet<NodeIndex> {
+        faces.iter().flat_map(|face| face.nodes.iter().copied()).collect()
     };
-    let bare = draft.model.nodes.label(bare);
-    let (message, help) = match every {
-        true => (
-            format!("node {bare} of {name} has no area: it belongs to no free face of a solid"),
-            "a slave node stands for its share of the free faces that it belongs to",
-        ),
-        false => (
-            format!(
-                "node {bare} of {name} has no area: no face of a solid has all its nodes in the \
-                 surface"
-            ),
-            "contact in space is between faces of solids: give the slave as elements with their \
-             faces, or as nodes of such faces",
-        ),
-    };
-    refuse(pairing.slave.span, message, help, draft);
-    None
+    if draft.dialect == Dialect::Abaqus {
+        let faces = faces_between(&nodes, Touching::AllNodes, span, draft);
+        let covered = covered(&faces);
+        if nodes.iter().all(|node| covered.contains(node)) {
+            return Some(Slaves { faces, ..Slaves::default() });
+        }
+    }
+    let faces = faces_between(&nodes, Touching::AnyNode, span, draft);
+    let covered = covered(&faces);
+    let (outer, others): (Vec<NodeIndex>, Vec<NodeIndex>) =
+        nodes.into_iter().partition(|node| covered.contains(node));
+    let inner = if others.is_empty() { HashSet::new() } else { of_solids(draft) };
+    let is_strange = |node: &&NodeIndex| !inner.contains(&draft.model.nodes.label(**node));
+    let strange = others.iter().find(is_strange).or(match outer[..] {
+        [] => others.first(),
+        _ => None,
+    });
+    if let Some(&bare) = strange {
+        let bare = draft.model.nodes.label(bare);
+        let name = &pairing.slave.name;
+        let message =
+            format!("node {bare} of {name} has no area: it belongs to no free face of a solid");
+        let help = "a slave node stands for its share of the free faces that it belongs to";
+        refuse(span, message, help, draft);
+        return None;
+    }
+    if !others.is_empty() {
+        let message = format!("{} nodes within solids never touch: left out", others.len());
+        draft.log.push(Diagnostic::note(Code("SL0254"), message).at(span));
+    }
+    Some(Slaves { faces, nodes: outer, ..Slaves::default() })
+}
+
+/// The numbers of the nodes of volumes.
+fn of_solids(draft: &Draft) -> HashSet<u64> {
+    let solid = |element: &&Element| matches!(element.kind, ElementKind::Structural(row) if row.cell.dimension == 3);
+    let solids = draft.elements.iter().filter(solid);
+    solids.flat_map(|element| element.nodes().iter().copied()).collect()
 }

@@ -8,6 +8,7 @@ use slideline_model::{Dof, NodeIndex, RigidLink};
 
 use super::coupling::couple;
 use super::equations;
+use super::rigid_link::tie;
 use crate::constraints::{CouplingKind, Link, LinkKind};
 use crate::draft::Draft;
 use crate::log::Target;
@@ -74,22 +75,6 @@ fn tie_body(body: &RigidBody, draft: &mut Draft) {
     for (dependent, follows) in nodes.into_iter().filter(|&(node, _)| seen.insert(node)) {
         tie(RigidLink { dependent, master, follows, turn, origin: body.origin }, draft);
     }
-}
-
-pub(super) fn tie(link: RigidLink, draft: &mut Draft) {
-    let RigidLink { dependent, origin, .. } = link;
-    let own = |dof: &Dof| link.follows[*dof as usize];
-    let dofs: Vec<Dof> = Dof::ALL.into_iter().filter(own).collect();
-    let taken = dofs.iter().find_map(|&dof| draft.dependents.get(&(dependent, dof)).copied());
-    if let Some(first) = taken {
-        let label = draft.model.nodes.label(dependent);
-        let message = format!("node {label} is a dependent node twice");
-        let error = Diagnostic::error(Code("SL0316"), message).at(origin);
-        draft.consequence(Subject::Links, error.label(first, "linked here first"));
-        return;
-    }
-    draft.dependents.extend(dofs.into_iter().map(|dof| ((dependent, dof), origin)));
-    draft.model.rigid_links.push(link);
 }
 
 fn one(link: &Link, turning: &HashSet<(NodeIndex, Dof)>, draft: &mut Draft) {

@@ -25,6 +25,7 @@ use slideline_model::{
 use super::chain::{Chain, Facet};
 use super::clearances::clearances;
 use super::contact::both_sides;
+use super::facing;
 use super::general_contact;
 use super::in_space::{self, at_nodes_in_space};
 use super::inner_faces::warn_of_inner_faces;
@@ -32,7 +33,6 @@ use super::laws_of_pairs::{as_read, refuse_bonds};
 use super::master_chain::slide_line;
 use super::own_surface::own_surface;
 use super::remarks::remarks;
-use super::rigid_faces;
 use super::sides::{Parts, Sides, Slaves, is_of_solids, refuse};
 use super::spread::{corners, sharp_edges, spread};
 use super::surfaces::{Found, between_nodes, contact_elements, found, stretches};
@@ -143,8 +143,8 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
     let first = found(&slave, pairing.slave.span, draft);
     let second = found(&master, pairing.master.span, draft);
     let (Some(first), Some(mut second)) = (first, second) else { return };
-    let turned = rigid_faces::turned(pairing, &master, (&first, &mut second), draft);
-    if rigid_faces::cannot_be_slave(pairing, &first, draft) || turned.is_none() {
+    let turned = facing::turned(pairing, &master, (&first, &mut second), draft);
+    if facing::cannot_be_slave(pairing, &first, draft) || turned.is_none() {
         return;
     }
     areas_of_nodes(&slave, &interaction, draft);

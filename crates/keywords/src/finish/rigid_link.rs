@@ -1,0 +1,24 @@
+//! A node that follows another one rigidly.
+
+use slideline_diag::{Code, Diagnostic};
+use slideline_model::{Dof, RigidLink};
+
+use crate::draft::Draft;
+use crate::rule::Subject;
+
+/// Makes a node follow, unless it follows already.
+pub(super) fn tie(link: RigidLink, draft: &mut Draft) {
+    let RigidLink { dependent, origin, .. } = link;
+    let own = |dof: &Dof| link.follows[*dof as usize];
+    let dofs: Vec<Dof> = Dof::ALL.into_iter().filter(own).collect();
+    let taken = dofs.iter().find_map(|&dof| draft.dependents.get(&(dependent, dof)).copied());
+    if let Some(first) = taken {
+        let label = draft.model.nodes.label(dependent);
+        let message = format!("node {label} is a dependent node twice");
+        let error = Diagnostic::error(Code("SL0316"), message).at(origin);
+        draft.consequence(Subject::Links, error.label(first, "linked here first"));
+        return;
+    }
+    draft.dependents.extend(dofs.into_iter().map(|dof| ((dependent, dof), origin)));
+    draft.model.rigid_links.push(link);
+}
