@@ -47,3 +47,25 @@ pub(super) fn owner(
     let body = draft.bodies[place].clone();
     Some((place, draft.reference_of(&body.reference, body.reference_span)?))
 }
+
+/// Each rigid body names an analytical surface of its own.
+pub(super) fn bodies(draft: &mut Draft) {
+    let mut owners: Vec<(String, Span)> = Vec::new();
+    for body in draft.bodies.clone() {
+        let Some(named) = body.surface else { continue };
+        let Some(surface) = draft.surface(&named) else { continue };
+        if !surface.extent.is_analytical() {
+            let message = format!("the surface {} is not analytical", named.name);
+            let error = Diagnostic::error(Code("SL0332"), message).at(named.span);
+            let help = "only *SURFACE of TYPE=SEGMENTS, CYLINDER or REVOLUTION is; nodes and elements belong to the body by \
+                        TIE NSET= and ELSET=";
+            draft.consequence(Subject::Contact, error.label(surface.origin, "here").help(help));
+        }
+        if let Some((_, first)) = owners.iter().find(|(name, _)| *name == named.name) {
+            let message = format!("the surface {} belongs to two rigid bodies", named.name);
+            let error = Diagnostic::error(Code("SL0334"), message).at(named.span);
+            draft.consequence(Subject::Links, error.label(*first, "the first one"));
+        }
+        owners.push((named.name, named.span));
+    }
+}

@@ -1,7 +1,7 @@
 //! Both sides of a contact pair while it is put together.
 
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_model::{ContactElement, ContactFace, Master, NodeIndex};
+use slideline_model::{ContactElement, ContactFace, Interaction, Master, NodeIndex, NormalLaw};
 
 use super::surfaces::Found;
 use crate::draft::Draft;
@@ -44,4 +44,21 @@ pub(super) fn refuse(
     let error = Diagnostic::error(Code("SL0332"), message).at(span);
     draft.consequence(Subject::Contact, error.help(help));
     None
+}
+
+/// Complains about areas given for slave nodes where a pressure decides about forces.
+pub(super) fn areas_of_nodes(slave: &NamedSurface, interaction: &Interaction, draft: &mut Draft) {
+    let Some(span) = slave.areas else { return };
+    let (code, message) = ("SL0257", "the area given for the nodes of this surface is not used");
+    let help = "the area of a node is half the distance to its neighbours times the thickness of \
+                *SURFACE INTERACTION, or its share of faces; with hard contact it changes no force";
+    if interaction.normal == NormalLaw::Hard {
+        draft.log.push(Diagnostic::note(Code(code), message).at(span).help(help));
+        return;
+    }
+    let message = "an area given for the nodes of a surface is not supported";
+    let error = Diagnostic::error(Code("SL0221"), message).at(span);
+    let help = "remove it: the area of a node is half the distance to its neighbours times the \
+                thickness of *SURFACE INTERACTION";
+    draft.consequence(Subject::Contact, error.help(help));
 }

@@ -18,8 +18,7 @@ use std::collections::HashSet;
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
-    Adjust, ContactElement, ContactPair, Formulation, Interaction, Master, NormalLaw, Section,
-    Vocabulary,
+    Adjust, ContactElement, ContactPair, Formulation, Interaction, Master, Section, Vocabulary,
 };
 
 use super::chain::{Chain, Facet};
@@ -32,8 +31,9 @@ use super::inner_faces::warn_of_inner_faces;
 use super::laws_of_pairs::{as_read, refuse_bonds};
 use super::master_chain::slide_line;
 use super::own_surface::own_surface;
+use super::owners::bodies;
 use super::remarks::remarks;
-use super::sides::{Parts, Sides, Slaves, is_of_solids, refuse};
+use super::sides::{Parts, Sides, Slaves, areas_of_nodes, is_of_solids, refuse};
 use super::spread::{corners, sharp_edges, spread};
 use super::surfaces::{Found, between_nodes, contact_elements, found, stretches};
 use super::tied_pairs::{is_tied, tie, until_it_changes};
@@ -67,28 +67,6 @@ pub(super) fn pairs(draft: &mut Draft) {
         warn_of_inner_faces(&pairings, draft);
     }
     unused(&pairings, draft);
-}
-
-/// Each rigid body names an analytical surface of its own.
-fn bodies(draft: &mut Draft) {
-    let mut owners: Vec<(String, Span)> = Vec::new();
-    for body in draft.bodies.clone() {
-        let Some(named) = body.surface else { continue };
-        let Some(surface) = draft.surface(&named) else { continue };
-        if !surface.extent.is_analytical() {
-            let message = format!("the surface {} is not analytical", named.name);
-            let error = Diagnostic::error(Code("SL0332"), message).at(named.span);
-            let help = "only *SURFACE of TYPE=SEGMENTS, CYLINDER or REVOLUTION is; nodes and elements belong to the body by \
-                        TIE NSET= and ELSET=";
-            draft.consequence(Subject::Contact, error.label(surface.origin, "here").help(help));
-        }
-        if let Some((_, first)) = owners.iter().find(|(name, _)| *name == named.name) {
-            let message = format!("the surface {} belongs to two rigid bodies", named.name);
-            let error = Diagnostic::error(Code("SL0334"), message).at(named.span);
-            draft.consequence(Subject::Links, error.label(*first, "the first one"));
-        }
-        owners.push((named.name, named.span));
-    }
 }
 
 /// Laws that no pair refers to: most likely a pair runs under another one.
@@ -170,23 +148,6 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
     };
     let Some(parts) = parts else { return };
     put_together((pairing, formulation), parts, (interaction, thickness, vocabulary), draft);
-}
-
-/// Complains about areas given for slave nodes where a pressure decides about forces.
-fn areas_of_nodes(slave: &NamedSurface, interaction: &Interaction, draft: &mut Draft) {
-    let Some(span) = slave.areas else { return };
-    let (code, message) = ("SL0257", "the area given for the nodes of this surface is not used");
-    let help = "the area of a node is half the distance to its neighbours times the thickness of \
-                *SURFACE INTERACTION, or its share of faces; with hard contact it changes no force";
-    if interaction.normal == NormalLaw::Hard {
-        draft.log.push(Diagnostic::note(Code(code), message).at(span).help(help));
-        return;
-    }
-    let message = "an area given for the nodes of a surface is not supported";
-    let error = Diagnostic::error(Code("SL0221"), message).at(span);
-    let help = "remove it: the area of a node is half the distance to its neighbours times the \
-                thickness of *SURFACE INTERACTION";
-    draft.consequence(Subject::Contact, error.help(help));
 }
 
 /// A surface that meets itself, at its nodes.
