@@ -100,6 +100,8 @@ pub(crate) struct Draft {
     pub node_frame: Option<Frame>,
     /// Instances that leave the plane of x and y, and their cards.
     pub tilted: Vec<(String, Span)>,
+    /// A card that adds mass, which weighs nothing here.
+    pub added_mass: Option<Span>,
     pub restart: Option<SavedStates>,
     /// Whether the cards are those of a deck that goes on from an earlier job.
     pub goes_on: bool,

@@ -230,6 +230,9 @@ fn find_keyword(card: &Card, draft: &mut Draft) -> Option<&'static dyn Keyword> 
 fn not_read(other: &Other, span: Span, draft: &mut Draft) {
     let Other { name, treatment, help } = *other;
     if treatment == Treatment::Ignored {
+        if matches!(name, "NONSTRUCTURAL MASS" | "MASS ADJUST") {
+            draft.added_mass = Some(span);
+        }
         if draft.log.first_time(&format!("ignored {name}")) {
             let message = format!("*{name} has no effect here and is ignored: {help}");
             draft.log.note("SL0257", message, span);

@@ -113,3 +113,19 @@ fn a_total_time_that_begins_anew() {
     let said = errors(&deck(", TIME=TOTAL TIME"), Dialect::Calculix);
     assert!(said.len() == 1 && said[0].starts_with("SL0221"), "{said:?}");
 }
+
+/// Requirement: mass that is added and would weigh is not passed over; without gravity it is.
+#[test]
+fn added_mass_that_weighs() {
+    let deck = |load: &str| {
+        format!(
+            "*NODE\n1, 0., 0., 0.\n2, 1., 0., 0.\n3, 0., 1., 0.\n4, 0., 0., 1.\n*ELEMENT, TYPE=C3D4, \
+             ELSET=E\n1, 1, 2, 3, 4\n*SOLID SECTION, ELSET=E, MATERIAL=M\n*MATERIAL, NAME=M\n*ELASTIC\n\
+             1000., .3\n*DENSITY\n1.\n*NONSTRUCTURAL MASS, ELSET=E, UNITS=TOTAL MASS\n1.\n*STEP\n*STATIC\n\
+             *SOLVER CONTROLS\n1e-3\n*BOUNDARY\n1, 1, 3\n2, 2, 3\n3, 3\n*DLOAD\n{load}\n*END STEP\n"
+        )
+    };
+    assert_eq!(errors(&deck("E, P1, 1."), Dialect::Abaqus), [""; 0]);
+    let said = errors(&deck("E, GRAV, 1., 0., 0., -1."), Dialect::Abaqus);
+    assert!(said.len() == 1 && said[0].starts_with("SL0221"), "{said:?}");
+}

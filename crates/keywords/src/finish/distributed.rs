@@ -226,13 +226,24 @@ fn refuse(why: &str, row: &ElementType, line: &Distributed, draft: &mut Draft) {
     draft.consequence(Subject::Elements, error.help(help));
 }
 
+/// Whether a load acts on mass.
+fn is_weight(kind: Kind) -> bool {
+    matches!(kind, Kind::Gravity(_) | Kind::Centrifugal(..))
+}
+
 fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((usize, Key), What)> {
     let element = draft.elements[index];
     let kind = line.kind;
-    if element.kind.is_mass() && matches!(kind, Kind::Gravity(_) | Kind::Centrifugal(..)) {
+    if element.kind.is_mass() && is_weight(kind) {
         let message = format!("the weight of the MASS element {} is not supported", element.label);
         let error = Diagnostic::error(Code("SL0221"), message).at(line.origin);
         draft.consequence(Subject::Elements, error.help("give it as *CLOAD on its node"));
+        return None;
+    }
+    if let Some(span) = draft.added_mass.filter(|_| is_weight(kind)) {
+        let error = Diagnostic::error(Code("SL0221"), "the weight of added mass is not supported");
+        let error = error.at(span).label(line.origin, "here it would weigh");
+        draft.consequence(Subject::Sections, error.help("count it in *DENSITY"));
         return None;
     }
     let ElementKind::Structural(row) = element.kind else { return None };

@@ -47,6 +47,11 @@ pub(super) const GROUPS: &[Group] = &[
     ),
     (
         Ignored,
+        "the linear equations are solved to a tolerance that the program chooses",
+        &["SOLVER CONTROLS"],
+    ),
+    (
+        Ignored,
         "elements of one integration point keep their own hourglass control",
         &["SECTION CONTROLS", "HOURGLASS STIFFNESS"],
     ),
@@ -386,7 +391,6 @@ pub(super) const GROUPS: &[Group] = &[
             "UNDEX CHARGE PROPERTY",
             "EXTERNAL FIELD",
             "SOLUTION TECHNIQUE",
-            "SOLVER CONTROLS",
         ],
     ),
 ];
