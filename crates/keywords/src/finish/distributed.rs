@@ -10,7 +10,7 @@ use super::faces::{self, SolidFace, face_nodes};
 use super::line_loads;
 use super::unit_systems;
 use crate::distributed::{Along, Distributed, Key, Kind, On};
-use crate::draft::{Body, Draft, ElementKind, Section};
+use crate::draft::{Body, Draft, Element, ElementKind, Section};
 use crate::log::Target;
 use crate::rule::Subject;
 
@@ -231,19 +231,27 @@ fn is_weight(kind: Kind) -> bool {
     matches!(kind, Kind::Gravity(_) | Kind::Centrifugal(..))
 }
 
-fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((usize, Key), What)> {
-    let element = draft.elements[index];
-    let kind = line.kind;
-    if element.kind.is_mass() && is_weight(kind) {
+/// Complains about weights that are not computed: of point masses and of mass that is added.
+fn weighs_otherwise(element: Element, line: &Distributed, draft: &mut Draft) -> bool {
+    if element.kind.is_mass() {
         let message = format!("the weight of the MASS element {} is not supported", element.label);
         let error = Diagnostic::error(Code("SL0221"), message).at(line.origin);
         draft.consequence(Subject::Elements, error.help("give it as *CLOAD on its node"));
-        return None;
+        return true;
     }
-    if let Some(span) = draft.added_mass.filter(|_| is_weight(kind)) {
+    if let Some(span) = draft.added_mass {
         let error = Diagnostic::error(Code("SL0221"), "the weight of added mass is not supported");
         let error = error.at(span).label(line.origin, "here it would weigh");
         draft.consequence(Subject::Sections, error.help("count it in *DENSITY"));
+        return true;
+    }
+    false
+}
+
+fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((usize, Key), What)> {
+    let element = draft.elements[index];
+    let kind = line.kind;
+    if is_weight(kind) && weighs_otherwise(element, line, draft) {
         return None;
     }
     let ElementKind::Structural(row) = element.kind else { return None };
