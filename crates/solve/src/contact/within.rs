@@ -33,9 +33,7 @@ impl Contact {
         let master = &self.masters[point.pair];
         let depth = match master {
             MasterSurface::Nothing => None,
-            MasterSurface::Body { surface, .. } => {
-                surface.depth(master.placed_body(u).to_body(at))
-            }
+            MasterSurface::Body { surface, .. } => surface.depth(master.placed_body(u).to_body(at)),
             MasterSurface::Faces { .. } => self.depth_in_faces(point.pair, at, positions),
             MasterSurface::Line { .. } => {
                 let stands = self.stands(place, u, positions);

@@ -9,6 +9,7 @@
 
 use super::draft::{Disc, Draft, Material, Pair, Step, Surface, World};
 use super::mesh::{Kind, PLANE_STRAIN, PLANE_STRESS, Part, RINGS, SPACE};
+use super::touching::touching;
 use crate::random::Sequence;
 use crate::random::classes::{Friction, Normal, Promise, Stick};
 
@@ -22,7 +23,7 @@ pub struct Class {
 }
 
 /// All classes.
-pub const CLASSES: [Class; 9] = [
+pub const CLASSES: [Class; 10] = [
     Class { name: "blocks", draw: |s| blocks(World::Plane, s) },
     Class { name: "crowned", draw: |s| crowned(World::Plane, s) },
     Class { name: "crossing", draw: |s| crossing(World::Plane, s) },
@@ -31,11 +32,12 @@ pub const CLASSES: [Class; 9] = [
     Class { name: "hooks", draw: hook },
     Class { name: "sleeves", draw: sleeve },
     Class { name: "space", draw: |s| blocks(World::Space, s) },
+    Class { name: "touching", draw: touching },
     Class { name: "domes", draw: |s| crowned(World::Space, s) },
 ];
 
 /// Types of element of a model.
-fn kinds(world: World, s: &mut Sequence) -> &'static [Kind] {
+pub(super) fn kinds(world: World, s: &mut Sequence) -> &'static [Kind] {
     match world {
         World::Plane => s.one_of(&[&PLANE_STRAIN as &[Kind], &PLANE_STRESS]),
         World::Rings => &RINGS,
@@ -44,7 +46,7 @@ fn kinds(world: World, s: &mut Sequence) -> &'static [Kind] {
 }
 
 /// What a part is made of.
-fn material(kind: Kind, s: &mut Sequence) -> Material {
+pub(super) fn material(kind: Kind, s: &mut Sequence) -> Material {
     let modulus = s.power(-0.7, 0.7);
     let plane_stress = kind.name.starts_with("CPS");
     match s.below(6) {
@@ -69,7 +71,7 @@ fn stiffness(material: Material) -> f64 {
 }
 
 /// Pressure and friction; `most` is the largest coefficient.
-fn laws(draft: &mut Draft, most: f64, s: &mut Sequence) {
+pub(super) fn laws(draft: &mut Draft, most: f64, s: &mut Sequence) {
     let modulus = draft.parts.iter().map(|part| stiffness(part.1)).fold(f64::MAX, f64::min);
     let clearance = s.power(-3.5, -2.3);
     draft.normal = match s.below(4) {
@@ -87,7 +89,7 @@ fn laws(draft: &mut Draft, most: f64, s: &mut Sequence) {
     draft.friction = Friction { mu, stick };
 }
 
-fn increments(s: &mut Sequence) -> [f64; 3] {
+pub(super) fn increments(s: &mut Sequence) -> [f64; 3] {
     s.one_of(&[[0.1, 1e-6, 0.1], [0.05, 1e-7, 0.2], [0.25, 1e-7, 0.25], [0.02, 1e-7, 0.1]])
 }
 

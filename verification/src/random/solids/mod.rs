@@ -9,8 +9,10 @@ mod case;
 mod classes;
 mod depth;
 mod draft;
+mod forces;
 mod judge;
 mod mesh;
+mod touching;
 mod write;
 
 pub use case::Case;
