@@ -83,9 +83,10 @@ impl PairRow {
             }
             let mut forces = [[0.0; 3]; 2];
             let axis = dof as usize % 3;
-            forces[0][axis] = normal * rows.normal()[k];
+            // rows are by overclosure, which falls along the force
+            forces[0][axis] = -normal * rows.normal()[k];
             let rubbed = (0..rows.directions()).map(|way| tangential[way] * rows.force(way)[k]);
-            forces[1][axis] = rubbed.sum();
+            forces[1][axis] = -rubbed.sum::<f64>();
             let (at, moved) = (
                 plan.model.nodes.get(node).position,
                 plan.dofs.translation(&state.displacement, node),
