@@ -63,7 +63,7 @@ pub(super) fn material(kind: Kind, s: &mut Sequence) -> Material {
 }
 
 /// Modulus at small strain.
-fn stiffness(material: Material) -> f64 {
+pub(super) fn stiffness(material: Material) -> f64 {
     match material {
         Material::Elastic(modulus, _) | Material::Plastic(modulus, ..) => modulus,
         Material::Rubber(shear, bulk) => 9.0 * bulk * shear / (3.0 * bulk + shear),

@@ -98,6 +98,8 @@ pub struct Draft {
     pub general: bool,
     /// Whether it may be turned by right angles although not all that is held is held along all axes.
     pub quarter: bool,
+    /// The least force that must act at the end; zero: none need.
+    pub least_force: f64,
     /// Law of pressure.
     pub normal: Normal,
     /// Friction.
@@ -121,6 +123,7 @@ impl Draft {
             skins: Skins::Facing,
             general: false,
             quarter: false,
+            least_force: 0.0,
             normal: Normal::Hard,
             friction: Friction { mu: 0.0, stick: Stick::Default },
             steps: Vec::new(),

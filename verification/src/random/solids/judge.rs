@@ -201,6 +201,11 @@ pub fn violations(case: &Case, files: &Files) -> Vec<(&'static str, String)> {
             add("overlap", place(why));
         }
     }
+    let at_end = files.states.last().map_or(0.0, turned_over);
+    if at_end < case.draft.least_force {
+        let least = case.draft.least_force;
+        add("no force", format!("{at_end:.2e} at the end, at least {least:.2e} was expected"));
+    }
     let missing = missing(files);
     if missing > MISSING && !files.said("energ") {
         add("energy", format!("{:.1} % of it is missing", 100.0 * missing));

@@ -8,7 +8,7 @@
 //!    |_______|          |_____|        |_____________|      |___|
 //! ```
 
-use super::classes::{increments, kinds, laws, material};
+use super::classes::{increments, kinds, laws, material, stiffness};
 use super::draft::{Draft, Pair, Prescribed, Skins, Step, Surface, World};
 use super::mesh::{Kind, Part};
 use crate::random::Sequence;
@@ -18,6 +18,11 @@ const LEFT: (usize, bool) = (0, false);
 const RIGHT: (usize, bool) = (0, true);
 const BELOW: (usize, bool) = (1, false);
 const ABOVE: (usize, bool) = (1, true);
+
+/// How far a block is pressed, in its size [1].
+const PRESS: [f64; 2] = [0.003, 0.02];
+/// Part of the force of a block that is pressed flat that must be there [1].
+const LEAST: f64 = 0.05;
 
 /// A block: its lower left corner and its size.
 #[derive(Clone, Copy)]
@@ -51,6 +56,12 @@ fn add(draft: &mut Draft, block: Block, (known, matching): Mesh, s: &mut Sequenc
     });
     let made_of = material(kind, s);
     draft.parts.push((part, made_of));
+}
+
+/// The force of a block that is pressed by a strain, of the softest of the parts.
+fn least_force(draft: &mut Draft, block: Block, strain: f64) {
+    let softest = draft.parts.iter().map(|part| stiffness(part.1)).fold(f64::MAX, f64::min);
+    draft.least_force = softest * strain * block.size[0];
 }
 
 /// A width that fits on another one, and where it stands on it.
@@ -100,6 +111,7 @@ pub(super) fn touching(s: &mut Sequence) -> Draft {
         more => stacked(&mut draft, (base, more), mesh, s),
     }
     draft.thickness = s.power(-1.0, 1.0);
+    draft.least_force *= LEAST * draft.thickness;
     laws(&mut draft, 0.4, s);
     draft.promise = Promise::WellPosed;
     draft
@@ -118,11 +130,12 @@ fn stacked(draft: &mut Draft, (base, more): (Block, usize), mesh: Mesh, s: &mut 
         add(draft, own, mesh, s);
         meetings.push([Surface::Side(part - 1, ABOVE), Surface::Side(part, BELOW)]);
         free &= gap <= 0.0;
-        sunk += gap.max(0.0) + s.between(0.003, 0.02) * own.size[1];
+        sunk += gap.max(0.0) + s.between(PRESS[0], PRESS[1]) * own.size[1];
         ways.push(sunk);
         below = own;
     }
     connect(draft, &meetings, s);
+    least_force(draft, base, PRESS[0]);
     let still = (draft.side(0, BELOW), [Some(0.0), Some(0.0), None]);
     let (head, aside) = (draft.side(more, ABOVE), s.between(-0.02, 0.02));
     // what lies between is held along the faces by its left side, and across them by contact alone
@@ -169,7 +182,8 @@ fn beside(draft: &mut Draft, base: Block, mesh: Mesh, s: &mut Sequence) {
         meetings.push([Surface::Side(0, ABOVE), Surface::Side(2, BELOW)]);
     }
     connect(draft, &meetings, s);
-    let mut press = |gap: f64, size: f64| -(gap.max(0.0) + s.between(0.003, 0.02) * size);
+    least_force(draft, first, PRESS[0]);
+    let mut press = |gap: f64, size: f64| -(gap.max(0.0) + s.between(PRESS[0], PRESS[1]) * size);
     let down = press(gaps[0], heights[0]);
     let across = press(gaps[1], second.size[0]);
     let sinks = if hangs { 0.0 } else { press(gaps[2], heights[1]) };
