@@ -6,6 +6,7 @@
 //! ```
 
 mod case;
+mod choices;
 mod classes;
 mod depth;
 mod draft;

@@ -8,7 +8,7 @@
 //!    |_______|          |_____|        |_____________|      |___|
 //! ```
 
-use super::classes::{increments, kinds, laws, material, stiffness};
+use super::choices::{increments, kinds, laws, material, stiffness};
 use super::draft::{Draft, Pair, Prescribed, Skins, Step, Surface, World};
 use super::mesh::{Kind, Part};
 use crate::random::Sequence;
