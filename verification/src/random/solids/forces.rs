@@ -45,10 +45,13 @@ fn part(draft: &Draft, name: &str) -> Option<usize> {
         .or_else(|| number("MA").and_then(|pair| of(draft.pairs[pair].master)))
 }
 
+/// A force on a node.
+pub type NodeForce = (usize, [f64; 3]);
+
 /// A part whose forces do not balance: how far, in the largest force of all.
 pub fn unbalanced(
     draft: &Draft,
-    (reactions, loads): (&[[f64; 3]], &[(usize, [f64; 3])]),
+    (reactions, loads): (&[[f64; 3]], &[NodeForce]),
     pairs: &[PairForce],
 ) -> Option<(usize, f64, f64)> {
     if !draft.discs.is_empty() || draft.world == World::Rings {

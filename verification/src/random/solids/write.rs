@@ -241,8 +241,8 @@ fn boundary(
     let number = placed.numbers[node];
     let dimension = draft.dimension();
     let turned = placed.turned(held.map(|value| value.unwrap_or(0.0)));
-    for axis in 0..dimension {
-        let own = placed.turn[axis].iter().zip(held);
+    for (axis, row) in placed.turn[..dimension].iter().enumerate() {
+        let own = row.iter().zip(held);
         if own.filter(|(by, _)| **by != 0.0).all(|(_, value)| value.is_some()) {
             let value = turned[axis] * placed.units.length;
             line(text, &format!("{number}, {0}, {0}, {value:e}", axis + 1));
