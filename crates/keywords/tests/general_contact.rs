@@ -32,16 +32,18 @@ fn with(cards: &str) -> String {
 }
 
 /// Requirement: every two parts make a pair, none twice; the finer mesh is the slave, and outlines
-/// that are masters are open.
+/// that are masters go all round: their last node is their first.
 #[test]
 fn every_two_parts_make_a_pair() {
     let model = model(PLANE);
-    assert_eq!(names(&model), ["B/A", "C/A", "C/B:2"]);
+    assert_eq!(names(&model), ["B/A", "C/A", "C/B"]);
     for pair in &model.contact_pairs {
         assert_eq!(pair.formulation, Formulation::Mortar);
         assert_eq!(pair.elements.len(), 4, "the whole outline of the slave");
         let Master::SlideLine(line) = &pair.master else { unreachable!("a chain") };
-        assert_eq!(line.nodes.len(), 4, "one face of the master's outline is left out");
+        assert_eq!(line.nodes.len(), 5, "no face of the master's outline is left out");
+        assert_eq!(line.nodes.first(), line.nodes.last());
+        assert_eq!(line.extension, 0.0, "nothing lies beyond its ends");
     }
 }
 
@@ -109,7 +111,7 @@ fn slaves_begin_as_their_data_say() {
     };
     let gap = |begun: Adjust| {
         let of = |name: &str, own| (name.to_owned(), own);
-        vec![of("B/A", begun), of("C/A", Adjust::Nothing), of("C/B:2", Adjust::Nothing)]
+        vec![of("B/A", begun), of("C/A", Adjust::Nothing), of("C/B", Adjust::Nothing)]
     };
     assert_eq!(adjusts(BEGUN), gap(Adjust::Clearance(0.01)));
     let turned = BEGUN.replace("SKIN-A, SKIN-B, LOOSE", "SKIN-B, SKIN-A, LOOSE");

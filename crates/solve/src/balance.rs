@@ -35,13 +35,17 @@ pub fn pair_rows(
     sums.resize(rows.len(), Sum::default());
     for (place, (point, now)) in points.filter(|(_, (_, now))| now.closed) {
         let row = &mut rows[point.pair];
-        row.press(now);
+        let kinematics = work.evaluation.kinematics.at(place);
+        match point.is_spread() {
+            true => row.press_faces(plan, state, (point.pair, now), &kinematics),
+            false => row.press(now),
+        }
         let law = &plan.contact.laws_of(point.pair, now).normal;
         row.energy += now.area * law.energy(-now.opening);
         if -now.opening > row.penetration {
             (row.penetration, row.deepest) = (-now.opening, Some(point.node));
         }
-        sums[point.pair].add(plan, state, now, &work.evaluation.kinematics.at(place));
+        sums[point.pair].add(plan, state, now, &kinematics);
     }
     for (row, sum) in rows.iter_mut().zip(sums) {
         row.take_means();
@@ -55,19 +59,59 @@ impl PairRow {
     fn press(&mut self, point: &PointState) {
         let (p, tau) = (point.area * point.pressure, point.area * point.traction);
         let [first, second] = point.directions();
-        let on_slave = |k: usize| p * point.normal[k] - tau[0] * first[k] - tau[1] * second[k];
-        let force: [f64; 3] = std::array::from_fn(on_slave);
-        self.area += point.area;
+        let pressed = point.normal.map(|normal| p * normal);
+        let rubbed = |k: usize| -tau[0] * first[k] - tau[1] * second[k];
+        self.act(point.position, [pressed, std::array::from_fn(rubbed)]);
+        self.cover(point);
+    }
+
+    /// The same of a point that is spread over faces: forces as they act on the nodes of the slave,
+    /// which where faces lie askew are not quite along its normals. docs/theory.md eq. (5.26)
+    fn press_faces(
+        &mut self,
+        plan: &Problem<'_>,
+        state: &State,
+        (pair, point): (usize, &PointState),
+        kinematics: &PointRows<'_>,
+    ) {
+        let (normal, tangential) = (point.area * point.pressure, point.area * point.traction);
+        let rows = kinematics.rows;
+        for (k, &own) in rows.unknowns.iter().enumerate() {
+            let (node, dof) = plan.dofs.name(own);
+            if dof.is_rotation() || plan.contact.is_spread_slave(pair, node) != Some(true) {
+                continue;
+            }
+            let mut forces = [[0.0; 3]; 2];
+            let axis = dof as usize % 3;
+            // rows are by overclosure, which falls along the force
+            forces[0][axis] = -normal * rows.normal()[k];
+            let rubbed = (0..rows.directions()).map(|way| tangential[way] * rows.force(way)[k]);
+            forces[1][axis] = -rubbed.sum::<f64>();
+            let (at, moved) = (
+                plan.model.nodes.get(node).position,
+                plan.dofs.translation(&state.displacement, node),
+            );
+            self.act(std::array::from_fn(|c| at[c] + moved[c]), forces);
+        }
+        self.cover(point);
+    }
+
+    /// Adds forces of pressure and of friction at a place.
+    fn act(&mut self, at: [f64; 3], [pressed, rubbed]: [[f64; 3]; 2]) {
+        let force: [f64; 3] = std::array::from_fn(|k| pressed[k] + rubbed[k]);
         for (sum, own) in self.force.iter_mut().zip(force) {
             *sum += own;
         }
-        for (sum, own) in self.moment.iter_mut().zip(cross(point.position, force)) {
+        for (sum, own) in self.moment.iter_mut().zip(cross(at, force)) {
             *sum += own;
         }
-        let pressed = point.normal.map(|normal| p * normal);
-        self.of_pressure.add(pressed, point.position);
-        let rubbed = |k: usize| -tau[0] * first[k] - tau[1] * second[k];
-        self.of_friction.add(std::array::from_fn(rubbed), point.position);
+        self.of_pressure.add(pressed, at);
+        self.of_friction.add(rubbed, at);
+    }
+
+    /// Adds the area of a closed point.
+    fn cover(&mut self, point: &PointState) {
+        self.area += point.area;
         for k in 0..3 {
             self.centre[k] += point.area * point.position[k];
             self.mean_normal[k] += point.area * point.normal[k];

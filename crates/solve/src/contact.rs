@@ -37,6 +37,7 @@ mod stand;
 mod stencil;
 mod tangent;
 mod values;
+mod within;
 
 pub use before::Before;
 pub use candidates::{Candidates, Reached, coupled_parts};

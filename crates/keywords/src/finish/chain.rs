@@ -3,7 +3,7 @@
 //! ```text
 //!            n            outward normal: 90 degrees counter-clockwise of travel
 //!            ^
-//!   o----->--+---->--o-->--o      one open chain, without branch or loop
+//!   o----->--+---->--o-->--o      one open chain, without branch, or one ring
 //! ```
 
 use std::collections::HashMap;
@@ -77,6 +77,15 @@ impl Chain {
     /// Walks from one open end to the other; from the end that is the first
     /// node of its element, where there is one.
     pub fn find(facets: &[Facet]) -> Result<Self, Broken> {
+        Self::walk(facets, None)
+    }
+
+    /// Walks once round facets that close on themselves, from this node back to it.
+    pub fn ring(facets: &[Facet], start: NodeIndex) -> Result<Self, Broken> {
+        Self::walk(facets, Some(start))
+    }
+
+    fn walk(facets: &[Facet], from: Option<NodeIndex>) -> Result<Self, Broken> {
         let mut at: HashMap<NodeIndex, Vec<usize>> = HashMap::new();
         for (place, facet) in facets.iter().enumerate() {
             for node in facet.nodes {
@@ -89,7 +98,7 @@ impl Chain {
         }
         let is_end = |node: &NodeIndex| at[node].len() == 1;
         let first = facets.iter().map(|facet| facet.nodes[0]).find(is_end);
-        let Some(start) = first.or_else(|| in_order().find(is_end)) else {
+        let Some(start) = from.or(first).or_else(|| in_order().find(is_end)) else {
             return Err(Broken::Loop(facets.first().map_or(0, |facet| facet.nodes[0])));
         };
         let mut chain = Self { nodes: vec![start], steps: Vec::new() };
@@ -190,6 +199,15 @@ mod tests {
         assert_eq!(nodes(&[(0, 1), (2, 3)]), Err(Broken::Apart(2)));
         assert_eq!(nodes(&[(0, 1), (2, 3), (3, 4), (4, 2)]), Err(Broken::Apart(2)));
         assert_eq!(nodes(&[(0, 1), (0, 1)]), Err(Broken::Loop(0)));
+    }
+
+    #[test]
+    fn a_ring_ends_where_it_begins() {
+        let ring = [(0, 1), (2, 0), (1, 2)].map(|(a, b)| facet(a, b, None));
+        let found = Chain::ring(&ring, 2).map(|chain| chain.nodes);
+        assert_eq!(found, Ok(vec![2, 0, 1, 2]));
+        let apart = [(0, 1), (1, 0), (2, 3), (3, 2)].map(|(a, b)| facet(a, b, None));
+        assert_eq!(Chain::ring(&apart, 0), Err(Broken::Apart(2)));
     }
 
     #[test]

@@ -11,7 +11,7 @@ use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::Formulation;
 
 use super::faces::faces;
-use super::loops::open_chains;
+use super::loops::outlines;
 use super::skin::{Patch, Skin};
 use crate::draft::Draft;
 use crate::log::Target;
@@ -267,11 +267,7 @@ impl Made<'_> {
         let ([slave, master], why) = roles(meeting, skin);
         let masters = match &master {
             Side::Faces(patch) if !draft.model.is_in_space() => {
-                let about = match &slave {
-                    Side::Faces(slave) => slave,
-                    Side::Analytical(_) => patch,
-                };
-                open_chains(patch, about, skin, draft).into_iter().map(Side::Faces).collect()
+                outlines(patch, skin).into_iter().map(Side::Faces).collect()
             }
             _ => vec![master],
         };

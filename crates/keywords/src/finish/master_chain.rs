@@ -9,7 +9,7 @@
 //! ```
 
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{ContactElement, Formulation, SlideLine};
+use slideline_model::{ContactElement, Formulation, NodeIndex, SlideLine};
 
 use super::chain::{Broken, Chain, Facet, Travel};
 use crate::draft::Draft;
@@ -23,10 +23,16 @@ pub(super) fn slide_line(
     (facets, slaves): (&[Facet], &[ContactElement]),
     draft: &mut Draft,
 ) -> Option<SlideLine> {
-    let facets = one_face_each(pairing, facets, draft)?;
-    let middles: Vec<_> = facets.iter().filter_map(|facet| facet.middle).collect();
-    let facets: Vec<Facet> = facets.iter().flat_map(Facet::parts).collect();
-    let mut chain = match Chain::find(&facets) {
+    let whole = one_face_each(pairing, facets, draft)?;
+    let middles: Vec<_> = whole.iter().filter_map(|facet| facet.middle).collect();
+    let facets: Vec<Facet> = whole.iter().flat_map(Facet::parts).collect();
+    let found = match Chain::find(&facets) {
+        Err(Broken::Loop(_)) if is_outline(&whole) => {
+            Chain::ring(&facets, seam(&whole, slaves, draft))
+        }
+        found => found,
+    };
+    let mut chain = match found {
         Ok(chain) => chain,
         Err(broken) => {
             not_a_chain(pairing, surface, broken, draft);
@@ -64,8 +70,32 @@ pub(super) fn slide_line(
         // what is integrated needs no smooth corners
         _ => 0.0,
     };
-    let (nodes, extension, origin) = (chain.nodes, pairing.extension, surface.origin);
+    let is_ring = chain.nodes.first() == chain.nodes.last();
+    // nothing lies beyond the ends of what goes all round
+    let extension = if is_ring { 0.0 } else { pairing.extension };
+    let (nodes, origin) = (chain.nodes, surface.origin);
     Some(SlideLine { nodes, middles, smooth, extension, origin })
+}
+
+/// Whether facets are faces of solids, enough of them to go round something.
+fn is_outline(facets: &[Facet]) -> bool {
+    facets.len() > 2 && facets.iter().all(|facet| facet.face.is_some())
+}
+
+/// Where an outline begins and ends: its node that is farthest from the slaves.
+fn seam(facets: &[Facet], slaves: &[ContactElement], draft: &Draft) -> NodeIndex {
+    let at = |node: NodeIndex| draft.model.nodes.position(node);
+    let looked_at = (DISTANCES / facets.len().max(1)).clamp(1, LOOKED_AT);
+    let some = slaves.iter().step_by(slaves.len().div_ceil(looked_at).max(1));
+    let near: Vec<_> = some.flat_map(|element| element.nodes).map(at).collect();
+    let distance = |node: NodeIndex| {
+        let place = at(node);
+        let square = |other: &[f64; 3]| (0..2).map(|k| (place[k] - other[k]).powi(2)).sum::<f64>();
+        near.iter().map(square).fold(f64::INFINITY, f64::min)
+    };
+    let ends = facets.iter().map(|facet| facet.nodes[0]).map(|node| (distance(node), node));
+    let farthest = ends.reduce(|known, other| if other.0 > known.0 { other } else { known });
+    farthest.map_or(0, |(_, node)| node)
 }
 
 /// A master turns one face to its slaves.

@@ -251,7 +251,13 @@ impl Contact {
         match self.faces(place, (sweep.to, sweep.now), &chains[1], 1.0) {
             Some(end) => self.is_through(place, &from, &end).then_some(from.fraction),
             // entered on the way, and at its end it faces nothing
-            None if from.fraction > 0.0 => Some(from.fraction),
+            None if from.fraction > 0.0 => {
+                let end = (sweep.to, sweep.now);
+                let allowed = CUT * self.spacing[self.points[place].pair];
+                let is_deep = || self.depth_without_contact(place, end, &chains[1]) > allowed;
+                let of_faces = self.points[place].mortar.is_some();
+                (!of_faces || is_deep()).then_some(from.fraction)
+            }
             None => self.sinks(place, &from, sweep).then_some(from.fraction),
         }
     }

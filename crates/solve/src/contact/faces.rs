@@ -77,6 +77,20 @@ impl Contact {
         Some(-own.gap().gap)
     }
 
+    /// How deep a point stands behind the faces that it faces [L].
+    pub(super) fn depth_in_faces(
+        &self,
+        pair: usize,
+        point: [f64; 3],
+        positions: &MasterPositions,
+    ) -> Option<f64> {
+        let mut room = FaceRoom::default();
+        let place = self.face_at(pair, (point, None, None), positions, &mut room)?;
+        let placed = self.placed_faces(pair, positions)?;
+        let own = FacePoint::new(placed.mesh, placed.positions, (place, point), None, &mut room)?;
+        Some(-own.gap().gap)
+    }
+
     /// Where a slave node stands against the faces of its master.
     pub(super) fn locate_face(
         &self,

@@ -46,6 +46,11 @@ impl SlavePoint {
         !self.is_integration_point() && self.mortar.is_none()
     }
 
+    /// Whether it is spread over faces of the slave.
+    pub fn is_spread(&self) -> bool {
+        self.mortar.is_some()
+    }
+
     /// Whether it is an integration point of integrated contact.
     pub fn is_integration_point(&self) -> bool {
         matches!(self.carrier, Carrier::IntegrationPoint { .. })
@@ -91,6 +96,8 @@ pub struct Contact {
     pub(super) mortars: Vec<Mortar>,
     /// The same in space.
     pub(super) face_mortars: Vec<FaceMortar>,
+    /// Slave nodes whose contact is spread over their faces, ascending, a list a pair.
+    pub(super) spread_nodes: Vec<Vec<NodeIndex>>,
     /// Distance of neighbouring slave points, a pair each [L].
     pub(super) spacing: Vec<f64>,
     /// Slave points that contact elements join, a list a pair.
@@ -115,6 +122,13 @@ impl Contact {
     /// Number of pairs.
     pub fn pair_count(&self) -> usize {
         self.keeps.len()
+    }
+
+    /// Whether a node belongs to the slave surface of a pair whose contact is spread over its faces;
+    /// `None` where it is not.
+    pub fn is_spread_slave(&self, pair: usize, node: NodeIndex) -> Option<bool> {
+        let nodes = &self.spread_nodes[pair];
+        (!nodes.is_empty()).then(|| nodes.binary_search(&node).is_ok())
     }
 
     /// The place among the laws of the law that a point of a pair obeys, of what it was at the last

@@ -32,6 +32,7 @@ impl Contact {
             mortars: Vec::new(),
             face_mortars: Vec::new(),
             spacing: Vec::new(),
+            spread_nodes: Vec::new(),
             edges: Vec::new(),
             opposed: Vec::new(),
             chain_nodes: 0,
@@ -39,6 +40,7 @@ impl Contact {
         };
         for (place, pair) in model.contact_pairs.iter().enumerate() {
             contact.edges.push(Vec::new());
+            contact.spread_nodes.push(Vec::new());
             match pair.formulation {
                 Formulation::NodeToSurface => contact.add_nodes(dofs, place, pair),
                 Formulation::Mortar => contact.add_mortar(model, dofs, place, pair),
@@ -134,6 +136,8 @@ impl Contact {
             }
         };
         self.points[first..].iter_mut().for_each(|point| point.mortar = Some(own));
+        self.spread_nodes[place].clone_from(&self.slave_nodes[place]);
+        self.spread_nodes[place].sort_unstable();
     }
 
     /// Adds a point without its numbers.

@@ -54,6 +54,15 @@ pub struct Pair {
     pub mortar: bool,
 }
 
+/// What the surfaces of pairs are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Skins {
+    /// The sides that face one another.
+    Facing,
+    /// All outer faces of both parts.
+    Whole,
+}
+
 /// What is prescribed along the axes.
 pub type Prescribed = [Option<f64>; 3];
 
@@ -83,6 +92,14 @@ pub struct Draft {
     pub discs: Vec<Disc>,
     /// Pairs.
     pub pairs: Vec<Pair>,
+    /// What their surfaces are.
+    pub skins: Skins,
+    /// General contact instead of the pairs, which say where parts meet.
+    pub general: bool,
+    /// Whether it may be turned by right angles although not all that is held is held along all axes.
+    pub quarter: bool,
+    /// The least force that must act at the end; zero: none need.
+    pub least_force: f64,
     /// Law of pressure.
     pub normal: Normal,
     /// Friction.
@@ -103,6 +120,10 @@ impl Draft {
             thickness: 1.0,
             discs: Vec::new(),
             pairs: Vec::new(),
+            skins: Skins::Facing,
+            general: false,
+            quarter: false,
+            least_force: 0.0,
             normal: Normal::Hard,
             friction: Friction { mu: 0.0, stick: Stick::Default },
             steps: Vec::new(),

@@ -6,6 +6,7 @@
 //! ```
 
 use super::draft::{Draft, World};
+use super::forces::{PairForce, pair_force, unbalanced};
 use super::mesh::Part;
 use super::{case::Case, depth};
 use crate::random::classes::{Normal, Stick};
@@ -47,6 +48,7 @@ pub struct State {
     points: Vec<Point>,
     energy: Energy,
     pair_imbalance: f64,
+    pairs: Vec<PairForce>,
 }
 
 /// All of a run.
@@ -110,6 +112,7 @@ pub fn read(case: &Case, folder: &Path, job: &str) -> Option<Files> {
                 ["force_imbalance", "moment_imbalance"].map(|column| pairs.number(row, column));
             let worst = force.max(1e-3 * moment);
             state.pair_imbalance = state.pair_imbalance.max(worst);
+            state.pairs.extend(pair_force(case, &pairs, row));
         }
     }
     let json = std::fs::read_to_string(path(".json")).ok()?;
@@ -183,6 +186,9 @@ pub fn violations(case: &Case, files: &Files) -> Vec<(&'static str, String)> {
         if let Some(why) = balance(&case.draft, state, peak) {
             add("balance", place(why));
         }
+        if let Some(why) = part_balance(&case.draft, state, peak) {
+            add("part", place(why));
+        }
         if state.pair_imbalance > 1e-9 {
             add("pair", place(format!("imbalance {:.1e}", state.pair_imbalance)));
         }
@@ -194,6 +200,11 @@ pub fn violations(case: &Case, files: &Files) -> Vec<(&'static str, String)> {
         if let Some(why) = overlap(&case.draft, state) {
             add("overlap", place(why));
         }
+    }
+    let at_end = files.states.last().map_or(0.0, turned_over);
+    if at_end < case.draft.least_force {
+        let least = case.draft.least_force;
+        add("no force", format!("{at_end:.2e} at the end, at least {least:.2e} was expected"));
     }
     let missing = missing(files);
     if missing > MISSING && !files.said("energ") {
@@ -271,6 +282,14 @@ fn balance(draft: &Draft, state: &State, peak: f64) -> Option<String> {
     let (force, moment) = (length(force), length(moment) / reach);
     (force.max(moment) > allowed)
         .then(|| format!("force {force:.2e}, moment {moment:.2e} of {size:.2e}, peak {peak:.2e}"))
+}
+
+/// What is left of the forces on a part.
+fn part_balance(draft: &Draft, state: &State, peak: f64) -> Option<String> {
+    let loads = loads(draft, state);
+    let (part, off, size) = unbalanced(draft, (&state.reaction, &loads), &state.pairs)?;
+    let allowed = draft.nodes.len() as f64 * ALLOWED * peak;
+    (off > allowed).then(|| format!("part {part}: {off:.2e} of {size:.2e} is left"))
 }
 
 /// Loads of an increment: they grow linearly over a step and stay.

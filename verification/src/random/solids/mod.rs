@@ -6,11 +6,14 @@
 //! ```
 
 mod case;
+mod choices;
 mod classes;
 mod depth;
 mod draft;
+mod forces;
 mod judge;
 mod mesh;
+mod touching;
 mod write;
 
 pub use case::Case;

@@ -1,6 +1,6 @@
 //! A draft of solids as the text of a deck: placed, scaled, numbered.
 
-use super::draft::{Draft, Material, Prescribed, Step, Surface, World};
+use super::draft::{Draft, Material, Prescribed, Skins, Step, Surface, World};
 use crate::random::Sequence;
 use crate::random::classes::{Units, line, write_laws};
 
@@ -27,6 +27,7 @@ impl Placement {
         let all_held =
             motions.clone().all(|(_, held)| held[..dimension].iter().all(Option::is_some));
         let turn = match draft.world {
+            World::Plane if !all_held && draft.quarter => quarter(s.below(4)),
             World::Plane if all_held => about_the_third(s.between(-3.1, 3.1)),
             World::Space if all_held => rotation(s),
             _ => UPRIGHT,
@@ -72,6 +73,12 @@ impl Placement {
     }
 }
 
+/// A rotation by so many right angles.
+fn quarter(count: usize) -> [[f64; 3]; 3] {
+    let (sin, cos) = [(0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0)][count];
+    [[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]]
+}
+
 fn about_the_third(angle: f64) -> [[f64; 3]; 3] {
     let (sin, cos) = angle.sin_cos();
     [[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]]
@@ -109,16 +116,26 @@ pub fn write(draft: &Draft, placed: &Placement, name: &str) -> String {
         line(&mut text, &format!("*RIGID BODY, REF NODE={number}, ANALYTICAL SURFACE=D{k}"));
     }
     write_laws(&mut text, (&draft.normal, &draft.friction, draft.thickness), placed.units);
-    for (k, pair) in draft.pairs.iter().enumerate() {
-        let slave = surface(&mut text, draft, (format!("SL{k}"), pair.slave));
-        let master = surface(&mut text, draft, (format!("MA{k}"), pair.master));
-        let kind = if pair.mortar { "SURFACE TO SURFACE" } else { "NODE TO SURFACE" };
-        line(&mut text, &format!("*CONTACT PAIR, INTERACTION=I0, TYPE={kind}\n{slave}, {master}"));
-    }
+    pairs(&mut text, draft);
     for (k, step) in draft.steps.iter().enumerate() {
         history(&mut text, (draft, placed), (k, step));
     }
     text
+}
+
+fn pairs(text: &mut String, draft: &Draft) {
+    if draft.general {
+        let all =
+            "*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n*CONTACT PROPERTY ASSIGNMENT\n, , I0";
+        line(text, all);
+        return;
+    }
+    for (k, pair) in draft.pairs.iter().enumerate() {
+        let slave = surface(text, draft, (format!("SL{k}"), pair.slave));
+        let master = surface(text, draft, (format!("MA{k}"), pair.master));
+        let kind = if pair.mortar { "SURFACE TO SURFACE" } else { "NODE TO SURFACE" };
+        line(text, &format!("*CONTACT PAIR, INTERACTION=I0, TYPE={kind}\n{slave}, {master}"));
+    }
 }
 
 /// First element of a part.
@@ -176,6 +193,10 @@ fn surface(text: &mut String, draft: &Draft, (name, surface): (String, Surface))
         Surface::Disc(disc) => format!("D{disc}"),
         Surface::Side(part, side) => {
             line(text, &format!("*SURFACE, NAME={name}"));
+            if draft.skins == Skins::Whole {
+                line(text, &format!("P{part}"));
+                return name;
+            }
             for (cell, face) in draft.parts[part].0.faces(side) {
                 line(text, &format!("{}, S{face}", first_element(draft, part) + cell));
             }
@@ -220,8 +241,9 @@ fn boundary(
     let number = placed.numbers[node];
     let dimension = draft.dimension();
     let turned = placed.turned(held.map(|value| value.unwrap_or(0.0)));
-    for axis in 0..dimension {
-        if held[axis].is_some() {
+    for (axis, row) in placed.turn[..dimension].iter().enumerate() {
+        let own = row.iter().zip(held);
+        if own.filter(|(by, _)| **by != 0.0).all(|(_, value)| value.is_some()) {
             let value = turned[axis] * placed.units.length;
             line(text, &format!("{number}, {0}, {0}, {value:e}", axis + 1));
         }

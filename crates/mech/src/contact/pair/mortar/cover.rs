@@ -2,11 +2,11 @@
 //!
 //! ```text
 //!     ====o===o=======        curves, the nearest one on the line along n counts; one that
-//!      |  |   |    |          turns its back there hides what lies behind it
+//!      |  |   |    |          turns its back or its edge there hides what lies behind it
 //!   o--+--+---+----o--o
 //! ```
 
-use super::curve::{Curve, Place, dot, sub};
+use super::curve::{Curve, Place, cross, dot, sub};
 use super::face::{MortarFace, field};
 use super::integrals::{Bound, Segment, across};
 use super::normals::MeanNormal;
@@ -15,6 +15,9 @@ use super::normals::MeanNormal;
 const SAME: f64 = 1e-11;
 /// Part of a face that must be covered for any contact on it [1].
 const LEAST: f64 = 1e-4;
+/// Cosine of the angle of the normals of both sides from which on they face one another: 75 degrees.
+/// Where two blocks touch, the sides beside the contact are across it and never meet its faces.
+const FACING: f64 = 0.26;
 /// Most iterations towards a projection.
 const MOST: usize = 60;
 
@@ -94,22 +97,26 @@ impl Cover {
         let middle = 0.5 * (bounds[0].at() + bounds[1].at());
         let (slave, normal) = (face.curve(), field(ends, middle));
         let at = slave.blend(&slave.shapes(middle).value);
-        let mut nearest: Option<(f64, Span)> = None;
+        let mut nearest: Option<(f64, usize, bool)> = None;
         for span in self.spans.iter().filter(|span| span.from < middle && middle < span.to) {
             let curve = &face.curves[span.curve];
             let Some(eta) = curve.crossed(at, normal) else { continue };
-            let gap = dot(sub(curve.blend(&curve.shapes(eta).value), at), normal);
-            if nearest.is_none_or(|(known, _)| gap.abs() < known.abs()) {
-                nearest = Some((gap, *span));
+            let there = curve.shapes(eta);
+            let gap = dot(sub(curve.blend(&there.value), at), normal);
+            if nearest.is_none_or(|(known, ..)| gap.abs() < known.abs()) {
+                let along = curve.blend(&there.slope);
+                let size = (dot(along, along) * dot(normal, normal)).sqrt();
+                let opposite = cross(normal, along) > FACING * size;
+                nearest = Some((gap, span.curve, span.faces && opposite));
             }
         }
-        let Some((gap, span)) = nearest.filter(|(_, span)| span.faces) else { return };
+        let Some((gap, curve, true)) = nearest else { return };
         match self.segments.last_mut() {
-            Some(last) if last.curve == span.curve && last.bounds[1] == bounds[0] => {
+            Some(last) if last.curve == curve && last.bounds[1] == bounds[0] => {
                 last.bounds[1] = bounds[1];
             }
             _ => {
-                self.segments.push(Segment { curve: span.curve, bounds });
+                self.segments.push(Segment { curve, bounds });
                 self.gaps.push(gap / dot(normal, normal).sqrt());
             }
         }
