@@ -2,6 +2,7 @@
 
 use crate::found::found;
 use crate::parameters::{Range, Slider, declared, ranges};
+use crate::places::Places;
 use serde_json::{Value, json};
 use slideline::output::{KEY_FIGURES, record};
 use slideline::{Model, Parametric, Read};
@@ -19,6 +20,8 @@ pub(crate) struct Opened {
     pub read: Read,
     /// What can be changed in it.
     pub sliders: Vec<Slider>,
+    /// Where their numbers stand.
+    pub places: Places,
     /// The deck that takes values: its own, or one whose numbers have become parameters.
     pub parametric: Option<Parametric>,
 }
@@ -28,17 +31,24 @@ impl Opened {
     pub fn new(name: &str, text: &str, said: &[Range], read: &Reads) -> Self {
         let own = read(name, text);
         let limits = [ranges(&own.deck), said.to_vec()].concat();
-        let mut sliders = declared(&own.deck, &limits);
+        let (mut sliders, mut places) = declared(&own.deck, &limits);
         let mut parametric = own.model.as_ref().and_then(|_| Parametric::of(&own).ok());
         if sliders.is_empty() && parametric.is_some() {
-            let (rewritten, found) = found(&own.deck, &limits);
-            let again = read(name, &rewritten);
-            if let (false, Some(_)) = (found.is_empty(), &again.model) {
+            let found = found(&own.deck, &limits);
+            let again = read(name, &found.text);
+            if let (false, Some(_)) = (found.sliders.is_empty(), &again.model) {
                 parametric = Parametric::of(&again).ok();
-                sliders = found;
+                (sliders, places) = (found.sliders, found.places);
             }
         }
-        Self { name: name.to_owned(), text: text.to_owned(), read: own, sliders, parametric }
+        Self {
+            name: name.to_owned(),
+            text: text.to_owned(),
+            read: own,
+            sliders,
+            places,
+            parametric,
+        }
     }
 
     /// Name of the job.

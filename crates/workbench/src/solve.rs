@@ -48,7 +48,7 @@ pub(crate) fn model(
     values: &Values,
 ) -> Result<(Model, Vec<Diagnostic>), Vec<Diagnostic>> {
     let Some(parametric) = &opened.parametric else { return Err(opened.read.diagnostics.clone()) };
-    let (model, mut said) = parametric.read(&values.settings(&opened.sliders))?;
+    let (model, mut said) = parametric.read(&opened.places.settings(&opened.sliders, values)?)?;
     said.extend(objections(&model));
     // as a run has it: what is trivial goes below
     said.sort_by_key(|own| own.severity == Severity::Note);

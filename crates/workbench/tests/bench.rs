@@ -2,6 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::expect_used)] // a test may fail where it stands
 
+mod exchange;
+
+use exchange::{ask, ask_until, last, opened, parameter, rows};
 use serde_json::{Value, json};
 use slideline::output::report::{Options, write};
 use slideline::{Job, Quiet, ReadOptions, RunOptions, code_page, run};
@@ -9,50 +12,6 @@ use slideline_workbench::{Bench, KINDS, markdown, range};
 use std::path::PathBuf;
 
 const DECK: &str = include_str!("../../../corpus/new/snap_fit.inp");
-const PLAIN: &str = include_str!("../../../corpus/tutorial/snap_fit.inp");
-
-/// Everything that a bench says to a message, as long as it is wanted.
-fn ask_until(
-    bench: &mut Bench,
-    message: &Value,
-    mut wanted: impl FnMut(&[Value]) -> bool,
-) -> Vec<Value> {
-    let mut said = Vec::new();
-    bench.answer(&message.to_string(), &mut |text: &str| {
-        if !text.is_empty() {
-            said.push(serde_json::from_str(text).unwrap());
-        }
-        wanted(&said)
-    });
-    said
-}
-
-fn ask(bench: &mut Bench, message: &Value) -> Vec<Value> {
-    ask_until(bench, message, |_| true)
-}
-
-/// The last thing that is said.
-fn last(bench: &mut Bench, message: &Value) -> Value {
-    ask(bench, message).pop().unwrap()
-}
-
-fn opened(name: &str, text: &str) -> (Bench, Value) {
-    let mut bench = Bench::new().with_deck(name, text);
-    let deck = last(&mut bench, &json!({"ask": "open", "id": 1}));
-    (bench, deck)
-}
-
-fn rows(said: &[Value]) -> Vec<Vec<f64>> {
-    let points = said.iter().filter(|own| own["say"] == "points");
-    let rows = points.flat_map(|own| own["rows"].as_array().unwrap());
-    rows.map(|row| row.as_array().unwrap().iter().map(|own| own.as_f64().unwrap()).collect())
-        .collect()
-}
-
-fn parameter(deck: &Value, name: &str) -> Value {
-    let all = deck["parameters"].as_array().unwrap();
-    all.iter().find(|own| own["name"] == name).unwrap_or(&Value::Null).clone()
-}
 
 /// A folder of this test's own.
 fn folder(name: &str) -> PathBuf {
@@ -147,38 +106,6 @@ fn a_saved_deck_has_the_same_bits() {
     assert!(
         script.contains("thickness = 1.733") && script.contains("result.history(100, \"RF1\")")
     );
-}
-
-/// Requirement: a deck without parameters has what is found in it, the model that they make has the
-/// same bits, and so has a deck saved with other values.
-#[test]
-fn numbers_of_a_deck_become_parameters() {
-    let (mut bench, deck) = opened("snap_fit.inp", PLAIN);
-    let names: Vec<&str> = deck["parameters"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .map(|own| own["name"].as_str().unwrap())
-        .collect();
-    for name in ["width", "thickness", "modulus", "mu", "stroke", "shift_x"] {
-        assert!(names.contains(&name), "{name} of {names:?}");
-    }
-    assert_eq!(parameter(&deck, "thickness")["origin"], "found");
-    let thick = parameter(&deck, "thickness")["value"].as_f64().unwrap();
-    for values in [json!({}), json!({"thickness": 1.1 * thick, "shift_x": 0.25})] {
-        let said = ask(&mut bench, &json!({"ask": "solve", "id": 2, "values": values}));
-        let asked = json!({"ask": "save", "id": 3, "what": "deck", "values": values});
-        let text = last(&mut bench, &asked)["text"].as_str().unwrap().to_owned();
-        assert_eq!(text == PLAIN, values == json!({}), "nothing else is rewritten");
-        let (_, again) = opened("snap_fit.inp", &text);
-        assert_eq!(again["sound"], true);
-        let (mut second, _) = opened("snap_fit.inp", &text);
-        let other = ask(&mut second, &json!({"ask": "solve", "id": 2}));
-        let bits = |said: &[Value]| -> Vec<Vec<u64>> {
-            rows(said).iter().map(|row| row.iter().map(|own| own.to_bits()).collect()).collect()
-        };
-        assert!(bits(&said).len() > 100 && bits(&said) == bits(&other));
-    }
 }
 
 /// Requirement: a solve ends as soon as something newer is asked for, and the next one has the bits of
