@@ -35,10 +35,10 @@ impl Opened {
         let mut parametric = own.model.as_ref().and_then(|_| Parametric::of(&own).ok());
         if sliders.is_empty() && parametric.is_some() {
             let found = found(&own.deck, &limits);
-            let again = read(name, &found.text);
-            if let (false, Some(_)) = (found.sliders.is_empty(), &again.model) {
-                parametric = Parametric::of(&again).ok();
-                (sliders, places) = (found.sliders, found.places);
+            let named = Parametric::of(&Read { deck: found.deck, ..own.clone() }).ok();
+            let named = named.filter(|own| !found.sliders.is_empty() && own.model(&[]).is_ok());
+            if named.is_some() {
+                (parametric, sliders, places) = (named, found.sliders, found.places);
             }
         }
         Self {

@@ -8,21 +8,21 @@
 //!                                           <at_1>, <at_2>
 //! ```
 //!
-//! The text is rewritten and nothing else: a number is put in as it was, so that the model has the
-//! same bits.
+//! A number is put in as it was, so that the model has the same bits. The cards are changed, not the
+//! text: every place stays where it was.
 
 use crate::found_surfaces::surface;
 use crate::parameters::{Range, Slider};
 use crate::places::{Place, Places};
 use crate::search::{Search, parameter};
-use slideline::deck::{Card, Deck, apply};
-use slideline::diag::{Edit, FileId, Span};
-use std::fmt::Write as _;
+use slideline::deck::{Card, DataLine, Deck, Field, Word};
+use slideline::diag::{FileId, Span};
+use std::collections::HashMap;
 
 /// What was found in a deck.
 pub(crate) struct Found {
     /// The deck with names in the places.
-    pub text: String,
+    pub deck: Deck,
     /// None where there is nothing to be changed.
     pub sliders: Vec<Slider>,
     /// Where their numbers stand.
@@ -32,8 +32,8 @@ pub(crate) struct Found {
 /// Looks for numbers.
 pub(crate) fn found(deck: &Deck, ranges: &[Range]) -> Found {
     let Some(file) = deck.files.first().map(|own| own.file) else {
-        let (text, sliders, places) = Default::default();
-        return Found { text, sliders, places };
+        let (sliders, places) = Default::default();
+        return Found { deck: deck.clone(), sliders, places };
     };
     let mut search = Search::of(file);
     let mut material = String::new();
@@ -44,7 +44,7 @@ pub(crate) fn found(deck: &Deck, ranges: &[Range]) -> Found {
         read(&mut search, card, &material);
     }
     let (sliders, places) = search.ended(ranges);
-    Found { text: rewritten(deck, file, &places.list), sliders, places }
+    Found { deck: named(deck, file, &places.list), sliders, places }
 }
 
 fn read(search: &mut Search, card: &Card, material: &str) {
@@ -95,16 +95,39 @@ const STROKE: (&str, &str) = ("stroke", "prescribed motion");
 const LOAD: (&str, &str) = ("load", "force");
 const PRESSURE: (&str, &str) = ("pressure", "pressure");
 
-/// The deck with `*PARAMETER` before its first card and names in the places.
-fn rewritten(deck: &Deck, file: FileId, places: &[Place]) -> String {
-    let mut lines = String::from("*PARAMETER\n");
-    let mut edits: Vec<Edit> = Vec::new();
-    for own in places {
-        let _ = writeln!(lines, "{} = {:?}", own.name, own.value); // a String takes any text
-        edits.push(Edit { span: own.span, replacement: format!("<{}>", own.name) });
+/// The deck with names in the places and their numbers in a `*PARAMETER` before all cards. Everything
+/// stands where it stood, so that what is said of the model points into the deck of the user.
+fn named(deck: &Deck, file: FileId, places: &[Place]) -> Deck {
+    let mut named = deck.clone();
+    let names: HashMap<Span, String> =
+        places.iter().map(|own| (own.span, format!("<{}>", own.name))).collect();
+    for card in named.cards.iter_mut().filter(|card| card.span.file == file) {
+        for line in &mut card.data {
+            let text_of = |own: &Field| names.get(&own.span).cloned();
+            if line.fields.iter().all(|own| text_of(own).is_none()) {
+                continue;
+            }
+            line.fields
+                .iter_mut()
+                .for_each(|own| own.text = text_of(own).unwrap_or(own.text.clone()));
+            let texts: Vec<&str> = line.fields.iter().map(|own| own.text.as_str()).collect();
+            line.text = texts.join(", ");
+        }
+        let words = card.parameters.iter_mut().filter_map(|own| own.value.as_mut());
+        for (name, word) in words.filter_map(|own| Some((names.get(&own.span)?, own))) {
+            word.raw.clone_from(name);
+            word.name.clone_from(name);
+        }
     }
-    let first = deck.cards.iter().find(|card| card.span.file == file);
-    let start = first.map_or(0, |card| card.span.start as usize);
-    edits.push(Edit { span: Span::new(file, start, start), replacement: lines });
-    String::from_utf8_lossy(&apply(deck, file, &edits).bytes).into_owned()
+    let line = |own: &Place| {
+        let text = format!("{} = {:?}", own.name, own.value);
+        let fields = vec![Field { text: text.clone(), span: own.span }];
+        DataLine { text, span: own.span, fields }
+    };
+    let span = Span::new(file, 0, 0);
+    let (raw, name) = ("PARAMETER".to_owned(), "PARAMETER".to_owned());
+    let keyword = Word { raw, name, span };
+    let data = places.iter().map(line).collect();
+    named.cards.insert(0, Card { keyword, parameters: Vec::new(), data, span });
+    named
 }

@@ -127,3 +127,17 @@ fn balls_pipes_and_loads_are_found() {
         }
     }
 }
+
+/// Requirement: what is wrong with a found number is said at its line of the deck.
+#[test]
+fn errors_stand_where_the_number_stands() {
+    let (mut bench, _) = opened("snap_fit.inp", PLAIN);
+    let asked = json!({"ask": "solve", "id": 2, "values": {"thickness": -1.0}});
+    let end = last(&mut bench, &asked);
+    let line = 1 + PLAIN.lines().position(|line| line == "25.0, 1.5").unwrap();
+    assert_eq!(
+        (&end["status"], &end["diagnosis"]["line"]),
+        (&json!("input_error"), &json!(line)),
+        "{end}"
+    );
+}
