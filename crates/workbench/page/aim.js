@@ -37,7 +37,7 @@
     asked = W.ask("aim", { values: W.values, parameter, response: name, wanted }, (message) => {
       asked = null;
       if (message.say === "aimed") {
-        say(parameter + " " + W.figure(message.value, 6) + " gives " + W.label(name) + " " + W.figure(message.reached, 5) + " (" + message.steps + (message.steps === 1 ? " step)." : " steps)."));
+        say(parameter + " " + W.figure(message.value, 6) + " gives " + W.label(name) + " " + W.figure(message.reached, 5) + " (" + message.steps + (message.steps === 1 ? " step" : " steps") + (message.because ? ", slopes by differences: " + message.because : "") + ").");
         setting = true;
         W.set(parameter, message.value, gesture && held !== null);
         setting = false;

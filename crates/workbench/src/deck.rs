@@ -6,6 +6,7 @@ use crate::places::Places;
 use serde_json::{Value, json};
 use slideline::output::{KEY_FIGURES, record};
 use slideline::{Model, Parametric, Read};
+use std::sync::Arc;
 
 /// Reads a deck: name and text.
 pub(crate) type Reads = dyn Fn(&str, &str) -> Read;
@@ -23,7 +24,7 @@ pub(crate) struct Opened {
     /// Where their numbers stand.
     pub places: Places,
     /// The deck that takes values: its own, or one whose numbers have become parameters.
-    pub parametric: Option<Parametric>,
+    pub parametric: Option<Arc<Parametric>>,
 }
 
 impl Opened {
@@ -47,7 +48,7 @@ impl Opened {
             read: own,
             sliders,
             places,
-            parametric,
+            parametric: parametric.map(Arc::new),
         }
     }
 

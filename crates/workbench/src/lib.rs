@@ -13,6 +13,7 @@ mod aim;
 mod answers;
 mod band;
 mod bench;
+mod bracket;
 mod complete;
 mod deck;
 mod drawing;
@@ -26,6 +27,7 @@ mod parameters;
 mod places;
 mod plane;
 mod profile;
+mod rates;
 mod save;
 mod search;
 #[cfg(feature = "server")]

@@ -15,8 +15,8 @@ use slideline::observe::{Ending, Frame};
 use slideline::output::json::text;
 use slideline::output::report::{Options, Told};
 use slideline::{
-    Diagnostic, Event, Judge, Model, Observer, Plan, Severity, SolveOptions, Stop, Workspace,
-    objections,
+    Diagnostic, Event, Judge, Model, Observer, Parameter, Plan, Severity, SolveOptions, Stop,
+    Workspace, objections,
 };
 use std::ops::ControlFlow;
 
@@ -37,8 +37,36 @@ impl Room {
         {
             return Some(ending);
         }
-        let workspace = Workspace::new(&Plan::of(model), &SolveOptions::default());
-        self.0.insert(workspace).run(model, observer).ok()
+        self.made(model).run(model, observer).ok()
+    }
+
+    /// The same with derivatives by parameters.
+    pub fn run_differentiated(
+        &mut self,
+        model: &Model,
+        parameters: &[Parameter],
+        observer: &mut dyn Observer,
+    ) -> Option<Ending> {
+        if parameters.is_empty() {
+            return self.run(model, observer);
+        }
+        if let Some(workspace) = &mut self.0
+            && let Ok(Ok(ending)) = workspace.run_differentiated(model, parameters, observer)
+        {
+            return Some(ending);
+        }
+        self.made(model).run_differentiated(model, parameters, observer).ok()?.ok()
+    }
+
+    /// Whether a model has derivatives by a parameter.
+    pub fn is_smooth(&mut self, model: &Model, parameter: &Parameter) -> bool {
+        let fault = |own: &mut Workspace| own.sensitivity_fault(model, parameter).is_none();
+        self.0.as_mut().is_some_and(fault) || fault(self.made(model))
+    }
+
+    /// A new one.
+    fn made(&mut self, model: &Model) -> &mut Workspace {
+        self.0.insert(Workspace::new(&Plan::of(model), &SolveOptions::default()))
     }
 }
 
@@ -200,6 +228,14 @@ impl<'a, 's> Silent<'a, 's> {
         let stopped = told.summary.get("status").and_then(Value::as_str) == Some("interrupted");
         self.judge.records().page(job, options).filter(|_| !stopped)
     }
+
+    /// What a run that was completed came to.
+    pub fn ended(&self) -> Result<Quiet, String> {
+        let told = self.judge.told().cloned().ok_or_else(|| OVERTAKEN.to_owned())?;
+        let place = told.driven.unwrap_or_default();
+        let rows = self.rows.iter().filter_map(|row| row.get(place).copied());
+        Ok(Quiet { told, curve: std::iter::once([0.0; 2]).chain(rows).collect() })
+    }
 }
 
 impl Observer for Silent<'_, '_> {
@@ -230,10 +266,7 @@ pub(crate) fn quietly(
     room: &mut Room,
     say: &mut dyn FnMut(&str) -> bool,
 ) -> Result<Quiet, String> {
-    let because = |said: &Diagnostic| format!("{} ({})", said.message, said.code.0);
-    let (model, said) = model(opened, values).map_err(|errors| {
-        errors.first().map_or_else(|| "the deck has errors".to_owned(), because)
-    })?;
+    let (model, said) = model(opened, values).map_err(|errors| first_error(&errors))?;
     let job = (opened.job(), &*opened.read.deck_hash, false);
     let judge = Judge::showing(&model, (&said, &opened.read.sources), job);
     let mut silent = Silent::of(judge, say);
@@ -242,10 +275,18 @@ pub(crate) fn quietly(
         Some(Ending::NotConverged(_, said)) => return Err(because(&said)),
         Some(Ending::Stopped(..)) | None => return Err(OVERTAKEN.to_owned()),
     }
-    let told = silent.judge.told().cloned().ok_or_else(|| OVERTAKEN.to_owned())?;
-    let place = told.driven.unwrap_or_default();
-    let rows = silent.rows.iter().filter_map(|row| row.get(place).copied());
-    Ok(Quiet { told, curve: std::iter::once([0.0; 2]).chain(rows).collect() })
+    silent.ended()
+}
+
+/// Why there is no model.
+pub(crate) fn first_error(said: &[Diagnostic]) -> String {
+    let first = said.iter().find(|own| own.severity == Severity::Error);
+    first.map_or_else(|| "the deck has errors".to_owned(), because)
+}
+
+/// What is said, with its code.
+pub(crate) fn because(said: &Diagnostic) -> String {
+    format!("{} ({})", said.message, said.code.0)
 }
 
 /// Why a run has no end: something newer is asked for.

@@ -202,11 +202,21 @@ fn a_parameter_follows_a_wanted_force() {
     let aim = |wanted: f64| json!({"ask": "aim", "id": 2, "parameter": "thickness", "response": "push_in", "wanted": wanted});
     let aimed = last(&mut bench, &aim(1.5));
     assert_eq!(aimed["say"], "aimed", "{aimed}");
-    assert!(aimed["steps"].as_u64().unwrap() <= 15, "{aimed}");
+    assert!(aimed["steps"].as_u64().unwrap() <= 6 && aimed["slopes"] == "exact", "{aimed}");
     let values = json!({"thickness": aimed["value"]});
     let end = last(&mut bench, &json!({"ask": "solve", "id": 3, "values": values}));
     let force = end["figures"]["push_in"].as_f64().unwrap();
     assert!((force / 1.5 - 1.0).abs() <= 1e-6, "{force}");
+    let mut other = aim(1.5);
+    other["slopes"] = json!("differences");
+    let again = last(&mut bench, &other);
+    assert_eq!((&again["say"], &again["slopes"]), (&json!("aimed"), &json!("differences")));
+    let [a, b] = [&aimed, &again].map(|own| own["value"].as_f64().unwrap());
+    assert!((a / b - 1.0).abs() < 1e-5, "{a} {b}");
+    // a verdict of the strain has no derivative: the answer says that it was done without
+    let asked = json!({"ask": "aim", "id": 2, "parameter": "thickness", "response": "utilisation", "wanted": 0.06});
+    let aimed = last(&mut bench, &asked);
+    assert!(aimed["slopes"] == "differences" && aimed["because"].is_string(), "{aimed}");
     let missed = last(&mut bench, &aim(1000.0));
     assert_eq!(missed["say"], "missed", "{missed}");
     let nearest = missed["nearest"].as_f64().unwrap();
@@ -234,6 +244,26 @@ fn a_band_is_as_wide_as_its_tolerances() {
     let found = width(0.05).abs();
     assert!((found / expected - 1.0).abs() < 0.05, "{found} {expected}");
     assert!((width(0.025).abs() / found - 0.5).abs() < 0.02);
+    // exact slopes are those of differences with a small tolerance, by what moves force and travel too
+    for name in ["thickness", "mu", "lead"] {
+        let mut side = |slopes: &str| {
+            let asked =
+                json!({"ask": "band", "id": 2, "tolerances": {name: 1e-4}, "slopes": slopes});
+            let band = last(&mut bench, &asked);
+            let expected = if slopes == "exact" { json!([]) } else { json!([name]) };
+            assert_eq!(band["differences"], expected, "{band:.300}");
+            let column = |name: &str| -> Vec<f64> {
+                band[name].as_array().unwrap().iter().map(|own| own.as_f64().unwrap()).collect()
+            };
+            let (low, high) = (column("low"), column("high"));
+            low.iter().zip(&high).map(|(low, high)| high - low).collect::<Vec<f64>>()
+        };
+        let (exact, differences) = (side("exact"), side("differences"));
+        let most = exact.iter().copied().fold(0.0, f64::max);
+        let near = |(a, b): (&f64, &f64)| (a - b).abs() < 0.02 * most;
+        let count = exact.iter().zip(&differences).filter(|own| near(*own)).count();
+        assert!(most > 0.0 && count >= 185, "{name}: {count}");
+    }
 }
 
 /// Requirement: keywords and their parameters complete a line, and pages explain.
