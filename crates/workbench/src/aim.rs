@@ -13,8 +13,9 @@ use crate::answers::{overtaken, refused};
 use crate::bracket::{Bracket, Tried};
 use crate::deck::Opened;
 use crate::outcome::figure;
+use crate::quiet::Quiet;
 use crate::rates::{LOST, differentiated};
-use crate::solve::{OVERTAKEN, Quiet, Room, quietly};
+use crate::solve::{OVERTAKEN, Room, quietly};
 use crate::values::Values;
 use serde_json::{Value, json};
 
@@ -135,7 +136,7 @@ impl Aim<'_> {
                 return Ok(None);
             }
         };
-        let off = figure(&found.told, self.response).map(|own| own - self.wanted);
+        let off = figure(&found, self.response).map(|own| own - self.wanted);
         if let Some(off) = off {
             self.tried.push([value, off]);
         } else {

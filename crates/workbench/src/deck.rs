@@ -1,5 +1,6 @@
 //! The deck on the bench: its text, what is said about it, its parameters.
 
+use crate::curves::Curves;
 use crate::found::found;
 use crate::parameters::{Range, Slider, declared, ranges};
 use crate::places::Places;
@@ -77,10 +78,20 @@ impl Opened {
             "diagnostics": said.collect::<Value>(),
             "sound": self.parametric.is_some(),
             "parameters": self.sliders.iter().map(parameter).collect::<Value>(),
-            "responses": KEY_FIGURES.map(|name| json!({"name": name, "unit": ""})),
+            "responses": responses(read.model.as_ref()),
             "reaction": read.model.as_ref().map_or(Value::Null, reaction),
         })
     }
+}
+
+/// What can be solved for: of a deck that loads drive what they move.
+fn responses(model: Option<&Model>) -> Value {
+    let loaded = model.is_some_and(|own| Curves::of(own).is_loaded());
+    let names = match loaded {
+        true => &["deflection", "strain", "utilisation"][..],
+        false => &KEY_FIGURES[..],
+    };
+    names.iter().map(|name| json!({"name": name, "unit": ""})).collect()
 }
 
 fn parameter(own: &Slider) -> Value {

@@ -3,11 +3,12 @@
 //! A key figure is the force at one row of the curve, or a sum over rows; its derivative is that of
 //! what it is taken from, as long as it is taken from there. [docs/sensitivities.md]
 
+use crate::curves::Curves;
 use crate::deck::Opened;
 use crate::parameters::Slider;
-use crate::solve::{OVERTAKEN, Quiet, Room, Silent, because, first_error, model};
+use crate::quiet::Quiet;
+use crate::solve::{OVERTAKEN, Room, Silent, because, first_error, model};
 use crate::values::Values;
-use slideline::model::Driven;
 use slideline::observe::{Ending, Frame, Sensitivity};
 use slideline::output::report::Told;
 use slideline::{Event, Judge, Observer, Parameter, Stop};
@@ -49,10 +50,14 @@ pub(crate) fn differentiated(
         }
     }
     let (numbers, parameters): (Vec<usize>, Vec<Parameter>) = varied.into_iter().unzip();
-    let driven = model.driven();
     let courses = numbers.iter().map(|_| Course::default()).collect();
-    let mut watch =
-        Watch { silent: Silent::of(judge, say), driven: &driven, courses, rows: 0, strained: None };
+    let mut watch = Watch {
+        silent: Silent::of(judge, &model, say),
+        curves: Curves::of(&model),
+        courses,
+        rows: 0,
+        strained: None,
+    };
     let ending = room.run_differentiated(&model, &parameters, &mut watch);
     let Watch { silent, courses, rows, .. } = watch;
     match ending {
@@ -61,7 +66,7 @@ pub(crate) fn differentiated(
         Some(Ending::Stopped(..)) | None => return Err(OVERTAKEN.to_owned()),
     }
     let quiet = silent.ended()?;
-    let curve = quiet.told.driven.unwrap_or_default();
+    let curve = quiet.place;
     let mut rates: Vec<Option<Rates>> = places.iter().map(|_| None).collect();
     for (number, own) in numbers.into_iter().zip(courses) {
         rates[number] = own.rates(curve, rows);
@@ -119,7 +124,7 @@ impl Course {
 /// Watches a run and what its states follow.
 struct Watch<'a, 's> {
     silent: Silent<'a, 's>,
-    driven: &'a [Driven],
+    curves: Curves,
     courses: Vec<Course>,
     /// Increments so far.
     rows: usize,
@@ -149,17 +154,12 @@ impl Watch<'_, '_> {
         if course.rows.len() + 1 != self.rows {
             return;
         }
-        let rate = |own: &Driven| {
-            let motion = own
-                .nodes
-                .first()
-                .map_or(0.0, |&node| told.of(|frame| frame.nodal.displacement(node, own.dof)));
-            let force = |frame: &Frame<'_>| -> f64 {
-                own.nodes.iter().map(|&node| frame.nodal.reaction(node, own.dof)).sum()
-            };
-            [motion, told.of(force)]
+        // a row of neighbours, weighed as the derivative of a number is
+        let count = self.curves.count();
+        let rate = |place: usize, part: usize| {
+            told.of(|frame| self.curves.row(frame).get(place).map_or(0.0, |own| own[part]))
         };
-        course.rows.push(self.driven.iter().map(rate).collect());
+        course.rows.push((0..count).map(|place| [rate(place, 0), rate(place, 1)]).collect());
         if let Some((_, place, true)) = self.strained {
             course.strain = Some(told.of(|frame| frame.beams[place].fibre_strain));
         }
@@ -183,7 +183,7 @@ impl Observer for Watch<'_, '_> {
 impl Rates {
     /// The derivative of a key figure. `Err`: why there is none.
     pub fn of(&self, name: &str, quiet: &Quiet) -> Result<f64, &'static str> {
-        let Quiet { told, curve } = quiet;
+        let Quiet { told, curve, .. } = quiet;
         let last = curve.len().saturating_sub(1);
         let found = match name {
             "push_in" => self.taken(told.places[0], curve),
@@ -192,6 +192,10 @@ impl Rates {
             "work_in" => self.work(curve, told.inward).map(|own| (own, last)),
             "work_out" => self.work(curve, -told.inward).map(|own| (own, last)),
             "strain" => self.strain.map(|own| (own, last)),
+            "deflection" => {
+                let at = quiet.deflection().map(|own| own.0);
+                at.map(|row| (curve[row][0].signum() * self.curve[row][0], row))
+            }
             _ => None,
         };
         let (rate, row) = found.filter(|own| own.0.is_finite()).ok_or(LOST)?;
@@ -265,10 +269,10 @@ mod tests {
                 let sides = [side(-1.0), side(1.0)];
                 for response in ["push_in", "pull_out", "ratio", "work_in", "work_out", "strain"] {
                     let [low, high] =
-                        [&sides[0], &sides[1]].map(|own| figure(&own.told, response).unwrap());
+                        [&sides[0], &sides[1]].map(|own| figure(own, response).unwrap());
                     let difference = (high - low) / (2.0 * step);
                     let exact = rates.of(response, &quiet).unwrap();
-                    let size = figure(&quiet.told, response).unwrap() / values.0[*place];
+                    let size = figure(&quiet, response).unwrap() / values.0[*place];
                     let off = (exact - difference).abs() / (difference.abs() + 1e-2 * size.abs());
                     assert!(off < 1e-3, "{response} by {name}: {exact} {difference}");
                 }

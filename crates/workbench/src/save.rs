@@ -99,7 +99,7 @@ fn report(
     said.extend(objections(model));
     said.sort_by_key(|own| own.severity == Severity::Note);
     let shown = (job, &*read.deck_hash, true);
-    let mut silent = Silent::of(Judge::showing(model, (&said, &read.sources), shown), say);
+    let mut silent = Silent::of(Judge::showing(model, (&said, &read.sources), shown), model, say);
     room.run(model, &mut silent);
     let options = Options { page: |code| code_page(code).map(fragment), ..Options::default() };
     silent.page(job, &options).ok_or(None)
