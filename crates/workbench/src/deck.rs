@@ -2,8 +2,9 @@
 
 use crate::curves::Curves;
 use crate::found::found;
-use crate::parameters::{Range, Slider, declared, ranges};
+use crate::parameters::{declared, ranges};
 use crate::places::Places;
+use crate::slider::{Range, Slider};
 use serde_json::{Value, json};
 use slideline::output::{KEY_FIGURES, record};
 use slideline::{Model, Parametric, Read};

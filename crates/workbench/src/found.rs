@@ -12,9 +12,9 @@
 //! text: every place stays where it was.
 
 use crate::found_surfaces::surface;
-use crate::parameters::{Range, Slider};
 use crate::places::{Place, Places};
 use crate::search::{Search, parameter};
+use crate::slider::{Range, Slider};
 use slideline::deck::{Card, DataLine, Deck, Field, Word};
 use slideline::diag::{FileId, Span};
 use std::collections::HashMap;

@@ -35,10 +35,12 @@ mod search;
 #[cfg(feature = "server")]
 pub mod server;
 mod single;
+mod slider;
 mod solve;
 mod values;
 
 pub use bench::{Bench, Reader};
 pub use kinds::{KINDS, Kind, kind};
-pub use parameters::{Range, range};
+pub use parameters::range;
 pub use single::{asset, single_page};
+pub use slider::Range;

@@ -3,8 +3,8 @@
 //! Every place has a name of its own in the deck that takes values, and is given the number that a
 //! saved deck has there: both have the same bits.
 
-use crate::parameters::Slider;
 use crate::profile::Profile;
+use crate::slider::Slider;
 use crate::values::Values;
 use slideline::diag::{Code, Diagnostic, Span};
 use slideline::keywords::Setting;

@@ -5,8 +5,8 @@
 
 use crate::curves::Curves;
 use crate::deck::Opened;
-use crate::parameters::Slider;
 use crate::quiet::Quiet;
+use crate::slider::Slider;
 use crate::solve::{OVERTAKEN, Room, Silent, because, first_error, model};
 use crate::values::Values;
 use slideline::observe::{Ending, Frame, Sensitivity};

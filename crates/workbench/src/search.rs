@@ -1,7 +1,7 @@
 //! What was found in a deck so far: numbers that become sliders, and where they stand.
 
-use crate::parameters::{Range, Slider, around};
 use crate::places::{Drawn, Follows, Place, Places};
+use crate::slider::{Range, Slider, around};
 use slideline::deck::{Card, Field, parse_number};
 use slideline::diag::{FileId, Span};
 

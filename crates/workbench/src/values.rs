@@ -1,6 +1,6 @@
 //! Values of parameters: as the page has them, as a deck takes them.
 
-use crate::parameters::Slider;
+use crate::slider::Slider;
 use serde_json::Value;
 
 /// Values of all sliders, in their order.
