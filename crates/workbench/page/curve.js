@@ -105,8 +105,8 @@
 
   // What the lines are.
   function keys(run) {
-    const f = W.formula(), own = [["c0", loaded() ? "on" : "way in", ""]];
-    if (run.travel.some((value, i) => i > 0 && value < run.travel[i - 1])) own.push(["c1", loaded() ? "back" : "way out", ""]);
+    const f = W.formula(), own = [["c0", loaded() ? "loading" : "way in", ""]];
+    if (run.travel.some((value, i) => i > 0 && value < run.travel[i - 1])) own.push(["c1", loaded() ? "unloading" : "way out", ""]);
     if (ghostly(run)) own.push(["ghost", "before", ""]);
     if (f && f.travel) own.push(["c2", "design guide", "dash"]);
     if (W.band) own.push(["c5", "tolerances, " + W.band.share, "band"]);

@@ -29,6 +29,10 @@ pub(crate) fn band(
         Err(why) => return refused(id, &why),
     };
     let exact = asked.get("slopes").and_then(Value::as_str) != Some("differences");
+    if let Some((place, _)) = tolerances.iter().find(|(place, _)| values.0[*place] == 0.0) {
+        let name = &opened.sliders[*place].name;
+        return refused(id, &format!("{name} is 0: a share of it is no tolerance"));
+    }
     match spread(opened, values, room, (&tolerances, exact), say) {
         Ok(Spread { curve, deviations, differences }) => {
             let column = |of: &dyn Fn(&[f64; 2], f64) -> f64| -> Value {

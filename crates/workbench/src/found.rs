@@ -84,16 +84,16 @@ fn pressures(search: &mut Search, card: &Card) {
     }
 }
 
-const WIDTH: (&str, &str) = ("width", "width");
-const THICKNESS: (&str, &str) = ("thickness", "thickness");
-const RADIUS: (&str, &str) = ("radius", "radius");
-const WALL: (&str, &str) = ("wall", "thickness of the wall");
-const DEPTH: (&str, &str) = ("depth", "thickness out of the plane");
+const WIDTH: (&str, &str) = ("width", "");
+const THICKNESS: (&str, &str) = ("thickness", "");
+const RADIUS: (&str, &str) = ("radius", "");
+const WALL: (&str, &str) = ("wall", "thickness");
+const DEPTH: (&str, &str) = ("depth", "thickness");
 const MODULUS: (&str, &str) = ("modulus", "Young's modulus");
 const FRICTION: (&str, &str) = ("mu", "coefficient of friction");
 const STROKE: (&str, &str) = ("stroke", "prescribed motion");
-const LOAD: (&str, &str) = ("load", "force");
-const PRESSURE: (&str, &str) = ("pressure", "pressure");
+const LOAD: (&str, &str) = ("load", "on nodes");
+const PRESSURE: (&str, &str) = ("pressure", "on faces");
 
 /// The deck with names in the places and their numbers in a `*PARAMETER` before all cards. Everything
 /// stands where it stood, so that what is said of the model points into the deck of the user.

@@ -7,10 +7,10 @@ use crate::search::{Number, Search};
 use slideline::deck::{Card, DataLine, Field, normalise, parse_number};
 
 const ANGLE: &str = "angle";
-const FILLET: (&str, &str) = ("fillet", "radius of the corners");
-const RADIUS: (&str, &str) = ("radius", "radius");
+const FILLET: (&str, &str) = ("fillet", "corner radius");
+const RADIUS: (&str, &str) = ("radius", "arc");
 const SHIFTS: [(&str, &str); 3] =
-    [("shift_x", "shift along x"), ("shift_y", "shift along y"), ("shift_z", "shift along z")];
+    [("shift_x", "along x,"), ("shift_y", "along y,"), ("shift_z", "along z,")];
 /// Ends of the slider of an angle, to both sides of the deck's [degrees].
 const TURN: f64 = 15.0;
 
@@ -85,7 +85,7 @@ fn drawn(search: &mut Search, owner: &str, profile: Profile, read: &[(&Field, f6
 fn number(handle: &Handle, owner: &str, profile: &Profile) -> Number {
     match handle.kind {
         Kind::Angle(flank) => {
-            let about = format!("angle of segment {} to the x-axis", profile.line(flank));
+            let about = format!("segment {}", profile.line(flank));
             let mut own = Number::new((ANGLE, &about), owner, handle.value);
             (own.unit, own.range) = ("°", [handle.value - TURN, handle.value + TURN]);
             own

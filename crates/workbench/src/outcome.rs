@@ -73,7 +73,7 @@ const UNDRIVEN: &str = "No node is driven";
 fn tiles(quiet: &Quiet) -> Vec<[String; 3]> {
     let Some((row, most)) = quiet.deflection() else { return Vec::new() };
     let load = quiet.curve.iter().map(|own| own[1].abs()).fold(0.0, f64::max);
-    let under = format!("under {}", shown(quiet.curve[row][1].abs()));
+    let under = format!("under a load of {}", shown(quiet.curve[row][1].abs()));
     let text = |name: &str, value: f64, about: String| [name.to_owned(), shown(value), about];
     vec![
         text("largest deflection", most, under),

@@ -28,7 +28,14 @@ impl Number {
     pub fn new((name, about): (&'static str, &str), owner: &str, value: f64) -> Self {
         let of = if owner.is_empty() { String::new() } else { format!(" of {owner}") };
         let (owner, range) = (owner.to_owned(), around(value));
-        Self { name, owner, about: format!("{about}{of}"), unit: "", value, range }
+        Self {
+            name,
+            owner,
+            about: format!("{about}{of}").trim().to_owned(),
+            unit: "",
+            value,
+            range,
+        }
     }
 }
 

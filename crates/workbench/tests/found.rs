@@ -27,6 +27,12 @@ fn numbers_of_a_deck_become_parameters() {
     }
     assert_eq!(parameter(&deck, "angle")["value"], 30.0);
     assert_eq!(parameter(&deck, "fillet")["value"], 0.2);
+    let words =
+        ["angle_2", "shift_x", "thickness"].map(|name| parameter(&deck, name)["about"].clone());
+    assert_eq!(words, ["segment 3 of CATCH", "along x, of CATCH", "of ARM"]);
+    // a share of what is zero is no tolerance
+    let band = last(&mut bench, &json!({"ask": "band", "id": 2, "tolerances": {"shift_x": 0.1}}));
+    assert!(band["why"].as_str().unwrap().contains("shift_x is 0"), "{band}");
     assert_eq!(parameter(&deck, "thickness")["origin"], "found");
     let thick = parameter(&deck, "thickness")["value"].as_f64().unwrap();
     let drawn =
