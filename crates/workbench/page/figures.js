@@ -52,7 +52,9 @@
     }
   }
 
-  const text = (diagnosis) => typeof diagnosis === "string" ? diagnosis : [diagnosis.message, diagnosis.help].filter(Boolean).join(" ");
+  // A sentence each: what is wrong, and what can be done.
+  const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1) + (/[.?!]$/.test(text) ? "" : ".");
+  const text = (diagnosis) => typeof diagnosis === "string" ? diagnosis : [diagnosis.message, diagnosis.help].filter(Boolean).map(sentence).join(" ");
 
   const rows = new Map();
   function figures(run) {

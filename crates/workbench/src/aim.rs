@@ -75,7 +75,7 @@ pub(crate) fn aim(
         }),
         (found, nearest) => {
             let [low, high] = aim.ends();
-            let range = format!("{parameter} from {low} to {high} does not reach it");
+            let range = format!("{parameter} from {low} to {high} does not reach it.");
             let why = found.err().or(aim.failure).unwrap_or(range);
             json!({
                 "say": "missed", "id": id, "why": why, "parameter": parameter,
@@ -140,7 +140,7 @@ impl Aim<'_> {
         if let Some(off) = off {
             self.tried.push([value, off]);
         } else {
-            self.failure = Some(format!("the run has no {}", self.response));
+            self.failure = Some(format!("The run has no {}.", self.response));
         }
         Ok(off)
     }
@@ -236,7 +236,7 @@ impl Aim<'_> {
         // a jump across what is wanted is no solution
         let (a, b) = (bracket.new[0], bracket.other[0]);
         let (a, b) = (a.min(b), a.max(b));
-        self.failure = Some(format!("{} jumps across it between {a} and {b}", self.response));
+        self.failure = Some(format!("{} jumps across it between {a} and {b}.", self.response));
         Ok(false)
     }
 }

@@ -7,7 +7,7 @@ use crate::search::{Number, Search};
 use slideline::deck::{Card, DataLine, Field, normalise, parse_number};
 
 const ANGLE: &str = "angle";
-const FILLET: (&str, &str) = ("fillet", "corner radius");
+const FILLET: (&str, &str) = ("fillet", "corners");
 const RADIUS: (&str, &str) = ("radius", "arc");
 const SHIFTS: [(&str, &str); 3] =
     [("shift_x", "along x,"), ("shift_y", "along y,"), ("shift_z", "along z,")];

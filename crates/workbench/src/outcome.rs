@@ -136,8 +136,9 @@ pub(crate) fn unread(id: &Value, errors: &[Diagnostic], sources: &Sources) -> Va
         "verdict": {
             "colour": "red",
             "headline": "Red: with these values there is nothing to solve",
-            "reasons": ["the deck has errors with these values"],
-            "lines": errors.iter().map(|own| own.message.clone()).collect::<Vec<_>>(),
+            "reasons": [],
+            // the first one is the diagnosis
+            "lines": errors.iter().skip(1).map(|own| own.message.clone()).collect::<Vec<_>>(),
         },
         "key": [],
         "figures": {},
