@@ -308,6 +308,42 @@ def starting(browser, program, folder, pictures):
         served.close()
 
 
+def found(browser, program, folder, pictures):
+    """Decks without parameters: what is found in them is dragged, saved and found again; one that loads drive."""
+    for name, deck, slider, moved in [("found", "corpus/tutorial/snap_fit.inp", "angle", 0.7), ("loaded", "corpus/keywords/CLOAD.inp", "load", 0.8)]:
+        own = folder / name
+        own.mkdir()
+        shutil.copy(deck, own)
+        served = Served(program, own / Path(deck).name, folder=own)
+        try:
+            browser.go(served.address)
+            browser.until("window.Workbench && Workbench.deck && Workbench.last !== null", 60)
+            settled(browser)
+            before, curve = value(browser, slider), rows(browser)
+            drag_slider(browser, slider, moved)
+            settled(browser)
+            assert value(browser, slider) != before and rows(browser) != curve, f"{slider} moves nothing"
+            assert browser.evaluate("Workbench.last.force.some((own) => own !== 0)"), "there is no curve"
+            if name == "found":
+                same_as_the_command(browser, program, own, 0.0)
+            browser.size(1440, 900)
+            browser.picture(pictures / f"{name}.png")
+            there = value(browser, slider)
+            browser.click("#undo")
+            settled(browser)
+            assert value(browser, slider) == before and rows(browser) == curve, "undo leaves something"
+            browser.click("#redo")
+            settled(browser)
+            assert value(browser, slider) == there
+            # what is no number changes nothing
+            browser.evaluate(f"(() => {{ const field = document.getElementById('value-{slider}'); field.value = ''; field.dispatchEvent(new Event('input')); field.dispatchEvent(new Event('change')); }})()")
+            assert value(browser, slider) == there
+            assert not browser.faults(), f"{name}: {browser.faults()}"
+        finally:
+            served.close()
+    print("workbench: what is found in a deck without parameters is dragged, saved with the same bits and undone")
+
+
 def drive(browser, program, folder, pictures, name, tolerance, idle):
     browser.until("window.Workbench && Workbench.deck && Workbench.last !== null", 60)
     settled(browser)
@@ -352,6 +388,7 @@ def main():
             drive(browser, program, folder, pictures, "served", 0.0, "--idle" in options)
             losing(browser, served)
             starting(browser, program, folder, pictures)
+            found(browser, program, folder, pictures)
         finally:
             browser.close()
             served.close()

@@ -12,7 +12,11 @@
 
   const say = (text, bad) => { const box = W.by("aim-said"); box.textContent = text; box.classList.toggle("bad", Boolean(bad)); };
 
+  // What can be done: a curve has peaks to drag where its deck has a motion in and out.
+  const hint = () => Object.keys(PEAKS).some((which) => response(which)) ? "Type a value, or drag a peak of the curve." : "Type a value.";
+
   function options() {
+    if (asked === null && !next && !W.by("aim-said").classList.contains("bad")) say(hint());
     const fill = (id, names, chosen) => {
       const select = W.by(id), key = JSON.stringify([names, W.noun()]);
       if (select.dataset.names !== key) {
@@ -37,7 +41,7 @@
     asked = W.ask("aim", { values: W.values, parameter, response: name, wanted }, (message) => {
       asked = null;
       if (message.say === "aimed") {
-        say(parameter + " " + W.figure(message.value, 6) + " gives " + W.label(name) + " " + W.figure(message.reached, 5) + " (" + message.steps + (message.steps === 1 ? " step)." : " steps)."));
+        say(parameter + " " + W.figure(message.value, 6) + " gives " + W.label(name) + " " + W.figure(message.reached, 5) + " (" + message.steps + (message.steps === 1 ? " step" : " steps") + (message.because ? ", slopes by differences: " + message.because : "") + ").");
         setting = true;
         W.set(parameter, message.value, gesture && held !== null);
         setting = false;
@@ -61,7 +65,7 @@
     say("");
   });
   // what was said of other values is over
-  for (const name of ["marks", "values"]) W.on(name, () => { if (asked === null && !next && W.by("aim-said").classList.contains("bad")) say("Type a value, or drag a peak of the curve."); });
+  for (const name of ["marks", "values"]) W.on(name, () => { if (asked === null && !next && W.by("aim-said").classList.contains("bad")) say(hint()); });
 
   W.aim = {
     choose(name) {

@@ -18,6 +18,7 @@
       if (message.say === "band") {
         const s = W.last.sense(message.travel), turned = (list) => list.map((value) => s * value);
         const [low, high] = s > 0 ? [message.low, message.high] : [turned(message.high), turned(message.low)];
+        if ((message.differences || []).length) box.textContent = "Slopes by " + message.differences.join(", ") + " are differences: there is no exact one.";
         W.band = { travel: turned(message.travel), low, high, share: message.share || "5 to 95 %" };
         W.draw();
       } else if (message.say === "refused") box.textContent = message.why;

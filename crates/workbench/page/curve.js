@@ -76,20 +76,28 @@
         plot.dot(run.travel[place], run.force[place], ink.ink, ink.paper, 5);
       }
     });
-    if (run.end && !run.curves.length) plot.text("Nothing is driven in this deck: there is no force over a travel.", (plot.L + plot.W) / 2, plot.H / 3, "center", ink.soft);
+    if (run.end && !run.curves.length) plot.text("Nothing is driven or loaded in this deck: there is no force over a travel.", (plot.L + plot.W) / 2, plot.H / 3, "center", ink.soft);
     keys(run);
     W.tell("painted");
   }
 
-  // What is drawn over the travel: of a turning body its moment.
+  // What is drawn over the travel: of a turning body its moment, where nothing is driven the load.
+  const NOUNS = [["RM", "moment"], ["CM", "moment"], ["CF", "load"], ["P", "pressure"]];
+  const curve = () => W.last && W.last.curves[W.last.curve];
   W.noun = () => {
-    const own = W.last && W.last.curves[W.last.curve];
-    return own && own.reaction.startsWith("RM") ? "moment" : "force";
+    const own = curve(), found = own && NOUNS.find(([begin]) => own.reaction.startsWith(begin));
+    return found ? found[1] : "force";
+  };
+  const loaded = () => { const own = curve(); return Boolean(own) && /^[CP]/.test(own.reaction); };
+  const way = () => {
+    const own = curve();
+    if (!loaded()) return W.noun() === "moment" ? "turn" : "travel";
+    return (own.motion.startsWith("UR") ? "turn" : "displacement") + " " + own.motion + " of " + own.who;
   };
 
   const titles = () => {
     const unit = (name) => W.deck && W.deck.units && W.deck.units[name] ? " [" + W.deck.units[name] + "]" : "";
-    return [(W.noun() === "moment" ? "turn" : "travel") + unit("travel"), W.noun() + unit("force")];
+    return [way() + unit("travel"), W.noun() + unit("force")];
   };
 
   // A ghost is seen beside another curve only.
@@ -97,8 +105,8 @@
 
   // What the lines are.
   function keys(run) {
-    const f = W.formula(), own = [["c0", "way in", ""]];
-    if (run.travel.some((value, i) => i > 0 && value < run.travel[i - 1])) own.push(["c1", "way out", ""]);
+    const f = W.formula(), own = [["c0", loaded() ? "loading" : "way in", ""]];
+    if (run.travel.some((value, i) => i > 0 && value < run.travel[i - 1])) own.push(["c1", loaded() ? "unloading" : "way out", ""]);
     if (ghostly(run)) own.push(["ghost", "before", ""]);
     if (f && f.travel) own.push(["c2", "design guide", "dash"]);
     if (W.band) own.push(["c5", "tolerances, " + W.band.share, "band"]);
@@ -118,7 +126,7 @@
   function read() {
     const run = W.shown, i = hover >= 0 && run && hover <= run.rows ? hover : place;
     if (!run || !(i >= 0 && i <= run.rows)) return;
-    W.by("readoff").textContent = "travel " + show(run.travel[i], 4) + ", " + W.noun() + " " + show(run.force[i], 4) + " (" + run.where(i) + ")";
+    W.by("readoff").textContent = (loaded() ? "displacement " : "travel ") + show(run.travel[i], 4) + ", " + W.noun() + " " + show(run.force[i], 4) + " (" + run.where(i) + ")";
   }
 
   // The state nearest to a place on the screen: nearest travel first where the way is plain.

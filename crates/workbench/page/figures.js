@@ -52,7 +52,9 @@
     }
   }
 
-  const text = (diagnosis) => typeof diagnosis === "string" ? diagnosis : [diagnosis.message, diagnosis.help].filter(Boolean).join(" ");
+  // A sentence each: what is wrong, and what can be done.
+  const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1) + (/[.?!]$/.test(text) ? "" : ".");
+  const text = (diagnosis) => typeof diagnosis === "string" ? diagnosis : [diagnosis.message, diagnosis.help].filter(Boolean).map(sentence).join(" ");
 
   const rows = new Map();
   function figures(run) {
@@ -85,7 +87,7 @@
   }
 
   // What can be solved for, by the words of the report's key figures.
-  const WORDS = [[/^push-in/, "push_in"], [/^pull-out/, "pull_out"], [/^out \/ in/, "ratio"], [/^work in/, "work_in"], [/^largest strain/, "strain"]];
+  const WORDS = [[/^push-in/, "push_in"], [/^pull-out/, "pull_out"], [/^out \/ in/, "ratio"], [/^work in/, "work_in"], [/^largest deflection/, "deflection"], [/^largest strain/, "strain"]];
   function tiles(end) {
     const known = new Set(W.deck ? W.deck.responses.map((one) => one.name) : []);
     const out = (end.key || []).map((one) => {
@@ -99,7 +101,7 @@
   W.tiles = tiles;
 
   // Names of key figures and responses for people.
-  const LABELS = { push_in: "force in", pull_out: "force out", ratio: "ratio out / in", work_in: "work in", work_out: "work out", strain: "strain", utilisation: "utilisation", margin: "strain margin", noise: "noise" };
+  const LABELS = { push_in: "force in", pull_out: "force out", ratio: "ratio out / in", work_in: "work in", work_out: "work out", deflection: "deflection", strain: "strain", utilisation: "utilisation", margin: "strain margin", noise: "noise" };
   W.label = (name) => (LABELS[name] || name.replace(/_/g, " ")).replace("force", W.noun());
 
   function formula() {

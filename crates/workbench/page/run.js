@@ -74,6 +74,8 @@
     add(rows, frames) {
       for (const row of rows || []) {
         const travel = row[3 + 2 * this.curve] || 0, force = row[4 + 2 * this.curve] || 0;
+        // a pressure has no direction
+        if (!this.inward && this.curves[this.curve] && this.curves[this.curve].reaction === "P") this.inward = 1;
         if (!this.inward && travel) { this.inward = Math.sign(travel); this.point_inwards(); }
         const s = this.inward || 1;
         this.raw.push(row);

@@ -1,15 +1,20 @@
 //! Solve for: the value of a parameter with which a key figure becomes what is wanted.
 //!
 //! ```text
-//!   f(p) = figure(p) - wanted      Newton with the slope of two neighbouring solves, as long as no
-//!     |        ___.                two values stand on both sides of zero; from then on within them:
-//!     |  ___.-'                    by the secant where it halves the bracket, or else by halves
+//!   f(p) = figure(p) - wanted      Newton with the exact slope of the first solve, then secants, as
+//!     |        ___.                long as no two values stand on both sides of zero; from then on
+//!     |  ___.-'                    within them
 //!     '--------- p
 //! ```
+//!
+//! Where the first solve has no exact slope, that of two neighbouring solves stands in for it.
 
 use crate::answers::{overtaken, refused};
+use crate::bracket::{Bracket, Tried};
 use crate::deck::Opened;
 use crate::outcome::figure;
+use crate::quiet::Quiet;
+use crate::rates::{LOST, differentiated};
 use crate::solve::{OVERTAKEN, Room, quietly};
 use crate::values::Values;
 use serde_json::{Value, json};
@@ -30,9 +35,12 @@ struct Aim<'a> {
     response: &'a str,
     wanted: f64,
     /// Value of the parameter and what was off there, of all solves.
-    tried: Vec<[f64; 2]>,
+    tried: Vec<Tried>,
     /// Why the last solve that failed has no figure.
     failure: Option<String>,
+    /// Whether slopes are exact, and why they are not.
+    exact: bool,
+    because: Option<&'static str>,
 }
 
 /// Looks for the value of a parameter that gives a figure.
@@ -53,7 +61,9 @@ pub(crate) fn aim(
         return refused(id, "the wanted value is missing");
     };
     let (tried, failure) = (Vec::new(), None);
-    let mut aim = Aim { opened, values, room, say, place, response, wanted, tried, failure };
+    let (exact, because) = (word("slopes") != "differences", None);
+    let mut aim =
+        Aim { opened, values, room, say, place, response, wanted, tried, failure, exact, because };
     let found = aim.search();
     let steps = aim.tried.len();
     let nearest = aim.tried.iter().min_by(|a, b| a[1].abs().total_cmp(&b[1].abs())).copied();
@@ -61,11 +71,11 @@ pub(crate) fn aim(
         (Err(why), _) if why == OVERTAKEN => overtaken(id),
         (Ok(true), Some([value, off])) => json!({
             "say": "aimed", "id": id, "parameter": parameter, "value": value,
-            "reached": wanted + off, "steps": steps,
+            "reached": wanted + off, "steps": steps, "slopes": aim.slopes(), "because": aim.because,
         }),
         (found, nearest) => {
             let [low, high] = aim.ends();
-            let range = format!("{parameter} from {low} to {high} does not reach it");
+            let range = format!("{parameter} from {low} to {high} does not reach it.");
             let why = found.err().or(aim.failure).unwrap_or(range);
             json!({
                 "say": "missed", "id": id, "why": why, "parameter": parameter,
@@ -83,11 +93,42 @@ impl Aim<'_> {
         [low.min(own), high.max(own)]
     }
 
+    fn slopes(&self) -> &'static str {
+        if self.exact { "exact" } else { "differences" }
+    }
+
     /// What is off at a value; `None`: the run there has no such figure. `Err`: there is something
     /// newer to do.
     fn off(&mut self, value: f64) -> Result<Option<f64>, String> {
         let values = self.values.with(self.place, value);
-        let found = match quietly(self.opened, &values, self.room, self.say) {
+        let found = quietly(self.opened, &values, self.room, self.say);
+        self.took(value, found)
+    }
+
+    /// The same with the exact slope there, where it has one.
+    fn off_and_slope(&mut self, value: f64) -> Result<Option<(f64, Option<f64>)>, String> {
+        if !self.exact {
+            return Ok(self.off(value)?.map(|off| (off, None)));
+        }
+        let values = self.values.with(self.place, value);
+        let by = [self.place];
+        let found = differentiated(self.opened, &values, self.room, &by, self.say);
+        let (found, slope) = match found {
+            Ok((quiet, mut rates)) => {
+                let rates = rates.pop().flatten().ok_or(LOST);
+                let slope = rates.and_then(|own| own.of(self.response, &quiet));
+                (Ok(quiet), slope)
+            }
+            Err(why) => (Err(why), Err(LOST)),
+        };
+        self.because = slope.err();
+        self.exact = slope.is_ok();
+        let slope = slope.ok().filter(|own| *own != 0.0);
+        Ok(self.took(value, found)?.map(|off| (off, slope)))
+    }
+
+    fn took(&mut self, value: f64, found: Result<Quiet, String>) -> Result<Option<f64>, String> {
+        let found = match found {
             Ok(found) => found,
             Err(why) if why == OVERTAKEN => return Err(why),
             Err(why) => {
@@ -95,11 +136,11 @@ impl Aim<'_> {
                 return Ok(None);
             }
         };
-        let off = figure(&found.told, self.response).map(|own| own - self.wanted);
+        let off = figure(&found, self.response).map(|own| own - self.wanted);
         if let Some(off) = off {
             self.tried.push([value, off]);
         } else {
-            self.failure = Some(format!("the run has no {}", self.response));
+            self.failure = Some(format!("The run has no {}.", self.response));
         }
         Ok(off)
     }
@@ -112,7 +153,7 @@ impl Aim<'_> {
     fn search(&mut self) -> Result<bool, String> {
         let [low, high] = self.ends();
         let mut value = self.values.0[self.place];
-        let Some(mut off) = self.off(value)? else { return Ok(false) };
+        let Some((mut off, mut slope)) = self.off_and_slope(value)? else { return Ok(false) };
         while self.tried.len() < STEPS {
             if self.is_near(off) {
                 return Ok(true);
@@ -120,12 +161,21 @@ impl Aim<'_> {
             if let Some(bracket) = self.bracket() {
                 return self.within(bracket);
             }
-            let Some(slope) = self.slope(value, [low, high])? else { break };
-            let next = (value - off / slope).clamp(low, high);
+            if slope.is_none() {
+                slope = self.slope(value, [low, high])?;
+                if self.bracket().is_some() {
+                    continue;
+                }
+            }
+            let Some(along) = slope else { break };
+            let next = (value - off / along).clamp(low, high);
             if next == value {
                 break;
             }
             let Some(found) = self.off(next)? else { break };
+            // what the last step found, in place of another derivative
+            slope =
+                Some((found - off) / (next - value)).filter(|own| own.is_finite() && *own != 0.0);
             (value, off) = (next, found);
         }
         // Newton has run against an end: what is wanted may lie beyond a peak
@@ -152,7 +202,7 @@ impl Aim<'_> {
     }
 
     /// The nearest two values tried with zero between them.
-    fn bracket(&self) -> Option<[[f64; 2]; 2]> {
+    fn bracket(&self) -> Option<[Tried; 2]> {
         let mut all = self.tried.clone();
         all.sort_by(|a, b| a[0].total_cmp(&b[0]));
         let sides = all.windows(2).map(|own| [own[0], own[1]]);
@@ -161,35 +211,32 @@ impl Aim<'_> {
     }
 
     /// Closes in between two values with zero between them.
-    fn within(&mut self, [mut a, mut b]: [[f64; 2]; 2]) -> Result<bool, String> {
-        let whole = b[0] - a[0];
-        let mut halves = false;
+    fn within(&mut self, [a, b]: [Tried; 2]) -> Result<bool, String> {
+        let mut bracket = Bracket::new(a, b);
+        let whole = bracket.length();
         while self.tried.len() < STEPS {
-            if let Some(own) = [a, b].into_iter().find(|own| self.is_near(own[1])) {
+            if let Some(own) =
+                [bracket.new, bracket.other].into_iter().find(|own| self.is_near(own[1]))
+            {
                 // the last one tried is what is told
                 self.tried.retain(|one| one != &own);
                 self.tried.push(own);
                 return Ok(true);
             }
-            let middle = 0.5 * (a[0] + b[0]);
-            let secant = a[0] - a[1] * (b[0] - a[0]) / (b[1] - a[1]);
-            let inside = secant > a[0] && secant < b[0];
-            let next = if inside && !halves { secant } else { middle };
-            if next == a[0] || next == b[0] || b[0] - a[0] <= 1e-12 * whole {
+            let next = bracket.next();
+            if next == bracket.new[0]
+                || next == bracket.other[0]
+                || bracket.length() <= 1e-12 * whole
+            {
                 break;
             }
-            let before = b[0] - a[0];
             let Some(off) = self.off(next)? else { return Ok(false) };
-            if off * a[1] <= 0.0 {
-                b = [next, off];
-            } else {
-                a = [next, off];
-            }
-            halves = b[0] - a[0] > 0.5 * before && !halves;
+            bracket.take([next, off]);
         }
         // a jump across what is wanted is no solution
-        self.failure =
-            Some(format!("{} jumps across it between {} and {}", self.response, a[0], b[0]));
+        let (a, b) = (bracket.new[0], bracket.other[0]);
+        let (a, b) = (a.min(b), a.max(b));
+        self.failure = Some(format!("{} jumps across it between {a} and {b}.", self.response));
         Ok(false)
     }
 }

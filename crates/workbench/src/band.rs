@@ -2,10 +2,13 @@
 //!
 //! To first order the force at a travel is F + sum (dF/dp) e_p, the e_p spread evenly over their
 //! tolerances and independent: a sum with the deviation sqrt(sum (dF/dp t_p)^2/3), taken as normal.
-//! The slopes are differences of curves half a tolerance to both sides, at the same travel.
+//! The slopes are exact derivatives of the run, taken to the same travel: dF/dp - F' du/dp, where u is
+//! the travel of the row and F' the slope of the curve there. Where a parameter has none, or only that of
+//! one side, they are differences of curves half a tolerance to both sides.
 
 use crate::answers::{overtaken, refused};
 use crate::deck::Opened;
+use crate::rates::differentiated;
 use crate::solve::{OVERTAKEN, Room, quietly};
 use crate::values::Values;
 use serde_json::{Value, json};
@@ -25,8 +28,13 @@ pub(crate) fn band(
         Ok(own) => own,
         Err(why) => return refused(id, &why),
     };
-    match spread(opened, values, room, &tolerances, say) {
-        Ok((curve, deviations)) => {
+    let exact = asked.get("slopes").and_then(Value::as_str) != Some("differences");
+    if let Some((place, _)) = tolerances.iter().find(|(place, _)| values.0[*place] == 0.0) {
+        let name = &opened.sliders[*place].name;
+        return refused(id, &format!("{name} is 0: a share of it is no tolerance"));
+    }
+    match spread(opened, values, room, (&tolerances, exact), say) {
+        Ok(Spread { curve, deviations, differences }) => {
             let column = |of: &dyn Fn(&[f64; 2], f64) -> f64| -> Value {
                 curve
                     .iter()
@@ -41,6 +49,7 @@ pub(crate) fn band(
                 "low": column(&|own, deviation| own[1] - REACH * deviation),
                 "high": column(&|own, deviation| own[1] + REACH * deviation),
                 "share": "5 to 95 %",
+                "differences": differences,
             })
         }
         Err(why) if why == OVERTAKEN => overtaken(id),
@@ -63,29 +72,56 @@ fn tolerances(opened: &Opened, asked: &Value) -> Result<Vec<(usize, f64)>, Strin
 
 type Curve = Vec<[f64; 2]>;
 
-/// The curve and the deviation of its forces.
+/// The curve, the deviation of its forces, and what has no exact slopes.
+struct Spread {
+    curve: Curve,
+    deviations: Vec<f64>,
+    differences: Vec<String>,
+}
+
 fn spread(
     opened: &Opened,
     values: &Values,
     room: &mut Room,
-    tolerances: &[(usize, f64)],
+    (tolerances, exact): (&[(usize, f64)], bool),
     say: &mut dyn FnMut(&str) -> bool,
-) -> Result<(Curve, Vec<f64>), String> {
-    let middle = quietly(opened, values, room, say)?.curve;
-    let mut squares = vec![0.0; middle.len()];
-    for &(place, share) in tolerances {
+) -> Result<Spread, String> {
+    let places: Vec<usize> = tolerances.iter().map(|own| own.0).filter(|_| exact).collect();
+    let (middle, rates) = differentiated(opened, values, room, &places, say)?;
+    let middle = middle.curve;
+    let (mut squares, mut differences) = (vec![0.0; middle.len()], Vec::new());
+    for (number, &(place, share)) in tolerances.iter().enumerate() {
         let tolerance = share * values.0[place].abs();
-        let mut side = |sign: f64| {
-            let own = values.with(place, values.0[place] + sign * 0.5 * tolerance);
-            Ok::<_, String>(at_travels(&middle, &quietly(opened, &own, room, say)?.curve))
+        let rates = rates.get(number).and_then(Option::as_ref);
+        let changes = match rates.filter(|own| own.one_sided >= middle.len()) {
+            Some(own) => at_travel(&middle, &own.curve).map(|slope| slope * tolerance).collect(),
+            None => {
+                differences.push(opened.sliders[place].name.clone());
+                let mut side = |sign: f64| {
+                    let own = values.with(place, values.0[place] + sign * 0.5 * tolerance);
+                    Ok::<_, String>(at_travels(&middle, &quietly(opened, &own, room, say)?.curve))
+                };
+                let (below, above) = (side(-1.0)?, side(1.0)?);
+                below.iter().zip(&above).map(|(low, high)| high - low).collect::<Vec<f64>>()
+            }
         };
-        let (below, above) = (side(-1.0)?, side(1.0)?);
-        for (square, (low, high)) in squares.iter_mut().zip(below.iter().zip(&above)) {
-            // the slope times the tolerance, whose square is three times that of the deviation
-            *square += (high - low).powi(2) / 3.0;
+        for (square, change) in squares.iter_mut().zip(changes) {
+            // the square of the slope times the tolerance is three times that of the deviation
+            *square += change.powi(2) / 3.0;
         }
     }
-    Ok((middle, squares.into_iter().map(f64::sqrt).collect()))
+    let deviations = squares.into_iter().map(f64::sqrt).collect();
+    Ok(Spread { curve: middle, deviations, differences })
+}
+
+/// Derivatives of the forces at the same travel, from those of travel and force row by row.
+fn at_travel(curve: &[[f64; 2]], rates: &[[f64; 2]]) -> impl Iterator<Item = f64> {
+    rates.iter().enumerate().map(|(row, [motion, force])| {
+        let before = row.saturating_sub(1);
+        let ends = curve.get(before).zip(curve.get(row)).filter(|(a, b)| a[0] != b[0]);
+        let slope = ends.map_or(0.0, |(a, b)| (b[1] - a[1]) / (b[0] - a[0]));
+        force - slope * motion
+    })
 }
 
 /// Forces of another curve at the travels of a curve, on the same way in or out.

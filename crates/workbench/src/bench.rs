@@ -3,7 +3,7 @@
 use crate::answers::refused;
 use crate::deck::Opened;
 use crate::kinds::{KINDS, kind};
-use crate::parameters::Range;
+use crate::slider::Range;
 use crate::solve::Room;
 use crate::values::Values;
 use crate::{aim, band, complete, save, solve};

@@ -1,10 +1,14 @@
 //! The deck on the bench: its text, what is said about it, its parameters.
 
+use crate::curves::Curves;
 use crate::found::found;
-use crate::parameters::{Range, Slider, declared, ranges};
+use crate::parameters::{declared, ranges};
+use crate::places::Places;
+use crate::slider::{Range, Slider};
 use serde_json::{Value, json};
 use slideline::output::{KEY_FIGURES, record};
 use slideline::{Model, Parametric, Read};
+use std::sync::Arc;
 
 /// Reads a deck: name and text.
 pub(crate) type Reads = dyn Fn(&str, &str) -> Read;
@@ -19,8 +23,10 @@ pub(crate) struct Opened {
     pub read: Read,
     /// What can be changed in it.
     pub sliders: Vec<Slider>,
+    /// Where their numbers stand.
+    pub places: Places,
     /// The deck that takes values: its own, or one whose numbers have become parameters.
-    pub parametric: Option<Parametric>,
+    pub parametric: Option<Arc<Parametric>>,
 }
 
 impl Opened {
@@ -28,17 +34,24 @@ impl Opened {
     pub fn new(name: &str, text: &str, said: &[Range], read: &Reads) -> Self {
         let own = read(name, text);
         let limits = [ranges(&own.deck), said.to_vec()].concat();
-        let mut sliders = declared(&own.deck, &limits);
+        let (mut sliders, mut places) = declared(&own.deck, &limits);
         let mut parametric = own.model.as_ref().and_then(|_| Parametric::of(&own).ok());
         if sliders.is_empty() && parametric.is_some() {
-            let (rewritten, found) = found(&own.deck, &limits);
-            let again = read(name, &rewritten);
-            if let (false, Some(_)) = (found.is_empty(), &again.model) {
-                parametric = Parametric::of(&again).ok();
-                sliders = found;
+            let found = found(&own.deck, &limits);
+            let named = Parametric::of(&Read { deck: found.deck, ..own.clone() }).ok();
+            let named = named.filter(|own| !found.sliders.is_empty() && own.model(&[]).is_ok());
+            if named.is_some() {
+                (parametric, sliders, places) = (named, found.sliders, found.places);
             }
         }
-        Self { name: name.to_owned(), text: text.to_owned(), read: own, sliders, parametric }
+        Self {
+            name: name.to_owned(),
+            text: text.to_owned(),
+            read: own,
+            sliders,
+            places,
+            parametric: parametric.map(Arc::new),
+        }
     }
 
     /// Name of the job.
@@ -66,10 +79,20 @@ impl Opened {
             "diagnostics": said.collect::<Value>(),
             "sound": self.parametric.is_some(),
             "parameters": self.sliders.iter().map(parameter).collect::<Value>(),
-            "responses": KEY_FIGURES.map(|name| json!({"name": name, "unit": ""})),
+            "responses": responses(read.model.as_ref()),
             "reaction": read.model.as_ref().map_or(Value::Null, reaction),
         })
     }
+}
+
+/// What can be solved for: of a deck that loads drive what they move.
+fn responses(model: Option<&Model>) -> Value {
+    let loaded = model.is_some_and(|own| Curves::of(own).is_loaded());
+    let names = match loaded {
+        true => &["deflection", "strain", "utilisation"][..],
+        false => &KEY_FIGURES[..],
+    };
+    names.iter().map(|name| json!({"name": name, "unit": ""})).collect()
 }
 
 fn parameter(own: &Slider) -> Value {

@@ -11,6 +11,7 @@
 //! hook that touches at its end alone. [Bayer MaterialScience, Snap-Fit Joints for Plastics, 2013;
 //! BASF, Snap-Fit Design Manual, 2007; theory (11.7)]
 
+use crate::plane::{distance, dot, minus};
 use serde_json::{Value, json};
 use slideline::Model;
 use slideline::mech::section::Shape;
@@ -260,17 +261,4 @@ fn yields(surface: &RigidSurface, normal: [f64; 2]) -> Option<[f64; 2]> {
         });
         (outside.sum::<f64>() > 0.0).then_some(aside)
     })
-}
-
-fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
-}
-
-fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    [a[0] - b[0], a[1] - b[1]]
-}
-
-fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    let [x, y] = minus(a, b);
-    x.hypot(y)
 }

@@ -7,98 +7,10 @@
 //!   area = width*thickness # follows from others        no slider: it is computed
 //! ```
 
+use crate::places::{Follows, Place, Places};
+use crate::slider::{Range, Slider, around};
 use slideline::deck::{DataLine, Deck};
 use slideline::diag::Span;
-
-/// Where a slider ends.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Range {
-    /// The parameter.
-    pub name: String,
-    /// From here.
-    pub minimum: f64,
-    /// To here.
-    pub maximum: f64,
-}
-
-/// Where a number is written.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Place {
-    /// There.
-    pub span: Span,
-    /// What stands there.
-    pub form: Form,
-}
-
-/// What stands in a place for the value of a slider.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Form {
-    /// The value.
-    Same,
-    /// The value with the other sign.
-    Negative,
-    /// This number and the value.
-    Moved(f64),
-}
-
-impl Form {
-    /// The number that stands there.
-    pub fn of(self, value: f64) -> f64 {
-        match self {
-            Self::Same => value,
-            Self::Negative => -value,
-            Self::Moved(from) => from + value,
-        }
-    }
-}
-
-/// A number of the deck that may be changed.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Slider {
-    /// Name of the parameter.
-    pub name: String,
-    /// Its number in the deck.
-    pub value: f64,
-    /// The number as it is written, and where.
-    pub text: String,
-    /// Every place where it is written in the deck that the user has.
-    pub places: Vec<Place>,
-    /// From here, to here.
-    pub range: [f64; 2],
-    /// Whether it is a whole number.
-    pub whole: bool,
-    /// The deck's own words.
-    pub about: String,
-    /// Its unit, as the deck calls it.
-    pub unit: String,
-    /// Whether it is a `*PARAMETER` of the deck, or was found among its numbers.
-    pub declared: bool,
-}
-
-impl Slider {
-    /// Ends that were said, or half and twice the number.
-    pub fn limited(mut self, ranges: &[Range]) -> Self {
-        if let Some(own) = ranges.iter().rev().find(|own| own.name == self.name) {
-            self.range = [own.minimum, own.maximum];
-        }
-        self
-    }
-}
-
-/// Half and twice a number, in ascending order; of zero nothing is known but its sign.
-pub(crate) fn around(value: f64) -> [f64; 2] {
-    if value == 0.0 { [0.0, 1.0] } else { [0.5 * value, 2.0 * value].sorted() }
-}
-
-trait Sorted {
-    fn sorted(self) -> Self;
-}
-
-impl Sorted for [f64; 2] {
-    fn sorted(self) -> Self {
-        [self[0].min(self[1]), self[0].max(self[1])]
-    }
-}
 
 /// The range that a text such as `thickness=1.0:3.0` names; `None`: it names none.
 pub fn range(text: &str) -> Option<Range> {
@@ -126,9 +38,9 @@ pub(crate) fn ranges(deck: &Deck) -> Vec<Range> {
     own.collect()
 }
 
-/// The parameters that a deck gives numbers to, each at its first line.
-pub(crate) fn declared(deck: &Deck, ranges: &[Range]) -> Vec<Slider> {
-    let mut found: Vec<Slider> = Vec::new();
+/// The parameters that a deck gives numbers to, each at its first line, and where their numbers are.
+pub(crate) fn declared(deck: &Deck, ranges: &[Range]) -> (Vec<Slider>, Places) {
+    let (mut found, mut places) = (Vec::new(), Places::default());
     let cards = deck.cards.iter().filter(|card| card.keyword.name == "PARAMETER");
     let mut met: Vec<String> = Vec::new();
     // what stands in an included file is not changed
@@ -140,14 +52,22 @@ pub(crate) fn declared(deck: &Deck, ranges: &[Range]) -> Vec<Slider> {
             continue;
         }
         met.push(name.to_owned());
-        found.extend(slider(&line.text, line.span).map(|own| own.limited(ranges)));
+        if let Some((own, span)) = slider(&line.text, line.span) {
+            places.list.push(Place {
+                span,
+                name: own.name.clone(),
+                value: own.value,
+                follows: Follows::Same(found.len()),
+            });
+            found.push(own.limited(ranges));
+        }
     }
-    found
+    (found, places)
 }
 
-/// That of a line such as `thickness = 1.5  # height of the arm [mm]`; `None`: it is computed, or
-/// no number.
-fn slider(line: &str, span: Span) -> Option<Slider> {
+/// That of a line such as `thickness = 1.5  # height of the arm [mm]`, and where its number is; `None`:
+/// it is computed, or no number.
+fn slider(line: &str, span: Span) -> Option<(Slider, Span)> {
     let (assigned, comment) = line.split_once('#').unwrap_or((line, ""));
     let (name, number) = assigned.split_once('=')?;
     let begin = name.len() + 1 + (number.len() - number.trim_start().len());
@@ -157,18 +77,9 @@ fn slider(line: &str, span: Span) -> Option<Slider> {
     let value = text.parse::<f64>().ok().filter(|value| is_number && value.is_finite())?;
     let (about, unit) = labelled(comment);
     let begin = span.start as usize + begin;
-    let place = Place { span: Span::new(span.file, begin, begin + text.len()), form: Form::Same };
-    Some(Slider {
-        name: name.trim().to_owned(),
-        value,
-        text: text.to_owned(),
-        places: vec![place],
-        range: around(value),
-        whole,
-        about,
-        unit,
-        declared: true,
-    })
+    let place = Span::new(span.file, begin, begin + text.len());
+    let (name, range) = (name.trim().to_owned(), around(value));
+    Some((Slider { name, value, range, whole, about, unit, declared: true }, place))
 }
 
 /// The words of a comment and the unit that ends it in brackets.

@@ -3,13 +3,14 @@
 use crate::answers::{overtaken, refused};
 use crate::deck::{Opened, Reads};
 use crate::markdown::fragment;
+use crate::places::Place;
 use crate::solve::{Room, Silent};
-use crate::values::{Values, written};
+use crate::values::Values;
 use serde_json::{Value, json};
 use slideline::deck::apply;
 use slideline::diag::Edit;
 use slideline::output::report::Options;
-use slideline::{Judge, Read, Severity, code_page, objections};
+use slideline::{Diagnostic, Judge, Read, Severity, code_page, objections};
 use std::fmt::Write as _;
 
 /// Writes what is asked for.
@@ -22,7 +23,10 @@ pub(crate) fn save(
 ) -> Value {
     let job = opened.job();
     let file = |end: &str, text: String| json!({"say": "file", "id": id, "name": format!("{job}{end}"), "text": text});
-    let deck = saved(opened, values);
+    let deck = match saved(opened, values) {
+        Ok(deck) => deck,
+        Err(said) => return refused(id, said.first().map_or("", |own| &own.message)),
+    };
     match asked.get("what").and_then(Value::as_str).unwrap_or_default() {
         // the deck that was opened stays as it is
         "deck" => file("_set.inp", deck),
@@ -37,18 +41,16 @@ pub(crate) fn save(
 }
 
 /// The deck with the values written in; what has the deck's own value stays as it is written.
-pub(crate) fn saved(opened: &Opened, values: &Values) -> String {
+/// `Err`: there is no such deck.
+pub(crate) fn saved(opened: &Opened, values: &Values) -> Result<String, Vec<Diagnostic>> {
     let deck = &opened.read.deck;
-    let Some(file) = deck.files.first().map(|own| own.file) else { return opened.text.clone() };
-    let changed = opened.sliders.iter().zip(&values.0).filter(|(own, value)| own.value != **value);
-    let edits = changed.flat_map(|(own, value)| {
-        own.places.iter().map(move |place| Edit {
-            span: place.span,
-            replacement: written(own, place.form.of(*value)),
-        })
-    });
-    let edits: Vec<Edit> = edits.collect();
-    String::from_utf8_lossy(&apply(deck, file, &edits).bytes).into_owned()
+    let Some(file) = deck.files.first().map(|own| own.file) else {
+        return Ok(opened.text.clone());
+    };
+    let changed = opened.places.changed(&opened.sliders, values)?;
+    let edit = |(place, replacement): (&Place, String)| Edit { span: place.span, replacement };
+    let edits: Vec<Edit> = changed.into_iter().map(edit).collect();
+    Ok(String::from_utf8_lossy(&apply(deck, file, &edits).bytes).into_owned())
 }
 
 /// A script that runs the deck and draws its curve.
@@ -97,7 +99,7 @@ fn report(
     said.extend(objections(model));
     said.sort_by_key(|own| own.severity == Severity::Note);
     let shown = (job, &*read.deck_hash, true);
-    let mut silent = Silent::of(Judge::showing(model, (&said, &read.sources), shown), say);
+    let mut silent = Silent::of(Judge::showing(model, (&said, &read.sources), shown), model, say);
     room.run(model, &mut silent);
     let options = Options { page: |code| code_page(code).map(fragment), ..Options::default() };
     silent.page(job, &options).ok_or(None)

@@ -7,16 +7,18 @@
 //! ```
 
 use crate::answers::overtaken;
+use crate::curves::Curves;
 use crate::deck::Opened;
 use crate::outcome::{ended, unread};
+use crate::quiet::Quiet;
 use crate::values::Values;
 use serde_json::{Value, json};
 use slideline::observe::{Ending, Frame};
 use slideline::output::json::text;
-use slideline::output::report::{Options, Told};
+use slideline::output::report::Options;
 use slideline::{
-    Diagnostic, Event, Judge, Model, Observer, Plan, Severity, SolveOptions, Stop, Workspace,
-    objections,
+    Diagnostic, Event, Judge, Model, Observer, Parameter, Plan, Severity, SolveOptions, Stop,
+    Workspace, objections,
 };
 use std::ops::ControlFlow;
 
@@ -37,8 +39,36 @@ impl Room {
         {
             return Some(ending);
         }
-        let workspace = Workspace::new(&Plan::of(model), &SolveOptions::default());
-        self.0.insert(workspace).run(model, observer).ok()
+        self.made(model).run(model, observer).ok()
+    }
+
+    /// The same with derivatives by parameters.
+    pub fn run_differentiated(
+        &mut self,
+        model: &Model,
+        parameters: &[Parameter],
+        observer: &mut dyn Observer,
+    ) -> Option<Ending> {
+        if parameters.is_empty() {
+            return self.run(model, observer);
+        }
+        if let Some(workspace) = &mut self.0
+            && let Ok(Ok(ending)) = workspace.run_differentiated(model, parameters, observer)
+        {
+            return Some(ending);
+        }
+        self.made(model).run_differentiated(model, parameters, observer).ok()?.ok()
+    }
+
+    /// Whether a model has derivatives by a parameter.
+    pub fn is_smooth(&mut self, model: &Model, parameter: &Parameter) -> bool {
+        let fault = |own: &mut Workspace| own.sensitivity_fault(model, parameter).is_none();
+        self.0.as_mut().is_some_and(fault) || fault(self.made(model))
+    }
+
+    /// A new one.
+    fn made(&mut self, model: &Model) -> &mut Workspace {
+        self.0.insert(Workspace::new(&Plan::of(model), &SolveOptions::default()))
     }
 }
 
@@ -48,7 +78,7 @@ pub(crate) fn model(
     values: &Values,
 ) -> Result<(Model, Vec<Diagnostic>), Vec<Diagnostic>> {
     let Some(parametric) = &opened.parametric else { return Err(opened.read.diagnostics.clone()) };
-    let (model, mut said) = parametric.read(&values.settings(&opened.sliders))?;
+    let (model, mut said) = parametric.read(&opened.places.settings(&opened.sliders, values)?)?;
     said.extend(objections(&model));
     // as a run has it: what is trivial goes below
     said.sort_by_key(|own| own.severity == Severity::Note);
@@ -71,6 +101,8 @@ pub(crate) fn solve(
     let job = (opened.job(), &*opened.read.deck_hash, true);
     let mut stream = Stream {
         judge: Judge::showing(&model, (&said, sources), job),
+        curves: Curves::of(&model),
+        all: Vec::new(),
         id,
         say,
         clock,
@@ -85,13 +117,19 @@ pub(crate) fn solve(
     stream.flush();
     match (ending, stream.judge.told()) {
         (Some(Ending::Stopped(..)) | None, _) | (_, None) => Some(overtaken(id)),
-        (Some(ending), Some(told)) => Some(ended(&model, (id, &ending), told)),
+        (Some(ending), Some(told)) => {
+            let quiet = Quiet::of(told.clone(), &stream.all, &stream.curves);
+            Some(ended(&model, (id, &ending), &quiet))
+        }
     }
 }
 
 /// Watches a run and says what it finds.
 struct Stream<'a, 's> {
     judge: Judge<'a>,
+    curves: Curves,
+    /// Motion and load of what is loaded, a row an increment.
+    all: Vec<Vec<[f64; 2]>>,
     id: &'s Value,
     say: &'s mut dyn FnMut(&str) -> bool,
     clock: Option<&'s (dyn Fn() -> f64 + Send)>,
@@ -109,8 +147,12 @@ impl Stream<'_, '_> {
     fn begin(&mut self, start: &Frame<'_>) {
         let records = self.judge.records();
         let parts = records.start().unwrap_or_default();
-        let curves = text(&records.driven().unwrap_or_default());
-        let zeros = vec![0.0; 2 * records.row().len()];
+        let told = match self.curves.is_loaded() {
+            true => self.curves.told(start.model),
+            false => records.driven().unwrap_or_default(),
+        };
+        let zeros = vec![0.0; 2 * told.as_array().map_or(0, Vec::len)];
+        let curves = text(&told);
         let id = text(self.id);
         // the parts are a text of their own already
         let message =
@@ -122,9 +164,13 @@ impl Stream<'_, '_> {
 
     fn follow(&mut self, frame: &Frame<'_>) {
         let records = self.judge.records();
-        let values = records.row().concat();
-        self.rows.push(row(frame.total_time, [frame.step, frame.increment], &values));
+        let own = match self.curves.is_loaded() {
+            true => self.curves.row(frame),
+            false => records.row(),
+        };
+        self.rows.push(row(frame.total_time, [frame.step, frame.increment], &own.concat()));
         self.frames.extend(records.state(frame));
+        self.all.push(own);
         let is_due = match (self.clock, self.sent) {
             (Some(clock), Some(sent)) => clock() - sent >= BATCH,
             (Some(_), None) => true,
@@ -183,6 +229,7 @@ impl Observer for Stream<'_, '_> {
 /// Watches a run without saying anything but its end.
 pub(crate) struct Silent<'a, 's> {
     judge: Judge<'a>,
+    curves: Curves,
     say: &'s mut dyn FnMut(&str) -> bool,
     /// Motion and reaction of what is driven, from the start on, a row an increment.
     rows: Vec<Vec<[f64; 2]>>,
@@ -190,8 +237,8 @@ pub(crate) struct Silent<'a, 's> {
 
 impl<'a, 's> Silent<'a, 's> {
     /// One that hands events to a judge.
-    pub fn of(judge: Judge<'a>, say: &'s mut dyn FnMut(&str) -> bool) -> Self {
-        Self { judge, say, rows: Vec::new() }
+    pub fn of(judge: Judge<'a>, model: &Model, say: &'s mut dyn FnMut(&str) -> bool) -> Self {
+        Self { judge, curves: Curves::of(model), say, rows: Vec::new() }
     }
 
     /// The report of a run that came to its end; none of one that was stopped.
@@ -200,27 +247,33 @@ impl<'a, 's> Silent<'a, 's> {
         let stopped = told.summary.get("status").and_then(Value::as_str) == Some("interrupted");
         self.judge.records().page(job, options).filter(|_| !stopped)
     }
+
+    /// What a run that was completed came to.
+    pub fn ended(&self) -> Result<Quiet, String> {
+        let told = self.judge.told().cloned().ok_or_else(|| OVERTAKEN.to_owned())?;
+        Ok(Quiet::of(told, &self.rows, &self.curves))
+    }
 }
 
 impl Observer for Silent<'_, '_> {
     fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
-        let committed = matches!(event, Event::Committed(_));
-        let asks = committed || matches!(event, Event::Iteration(_));
+        let committed = match &event {
+            Event::Committed(frame) => Some(**frame),
+            _ => None,
+        };
+        let asks = committed.is_some() || matches!(event, Event::Iteration(_));
         let _ = self.judge.event(event); // it never stops a run
-        if committed {
-            self.rows.push(self.judge.records().row());
+        if let Some(frame) = committed {
+            let loaded = self.curves.is_loaded();
+            self.rows.push(if loaded {
+                self.curves.row(&frame)
+            } else {
+                self.judge.records().row()
+            });
         }
         let goes_on = !asks || (self.say)("");
         if goes_on { ControlFlow::Continue(()) } else { ControlFlow::Break(Stop::Interrupted) }
     }
-}
-
-/// A run that came to its end.
-pub(crate) struct Quiet {
-    /// What the report says of it.
-    pub told: Told,
-    /// Motion and reaction of the driven motion that does most work, from the start on.
-    pub curve: Vec<[f64; 2]>,
 }
 
 /// Solves without saying anything. `Err`: why there is no result.
@@ -230,22 +283,27 @@ pub(crate) fn quietly(
     room: &mut Room,
     say: &mut dyn FnMut(&str) -> bool,
 ) -> Result<Quiet, String> {
-    let because = |said: &Diagnostic| format!("{} ({})", said.message, said.code.0);
-    let (model, said) = model(opened, values).map_err(|errors| {
-        errors.first().map_or_else(|| "the deck has errors".to_owned(), because)
-    })?;
+    let (model, said) = model(opened, values).map_err(|errors| first_error(&errors))?;
     let job = (opened.job(), &*opened.read.deck_hash, false);
     let judge = Judge::showing(&model, (&said, &opened.read.sources), job);
-    let mut silent = Silent::of(judge, say);
+    let mut silent = Silent::of(judge, &model, say);
     match room.run(&model, &mut silent) {
         Some(Ending::Completed(_)) => {}
         Some(Ending::NotConverged(_, said)) => return Err(because(&said)),
         Some(Ending::Stopped(..)) | None => return Err(OVERTAKEN.to_owned()),
     }
-    let told = silent.judge.told().cloned().ok_or_else(|| OVERTAKEN.to_owned())?;
-    let place = told.driven.unwrap_or_default();
-    let rows = silent.rows.iter().filter_map(|row| row.get(place).copied());
-    Ok(Quiet { told, curve: std::iter::once([0.0; 2]).chain(rows).collect() })
+    silent.ended()
+}
+
+/// Why there is no model.
+pub(crate) fn first_error(said: &[Diagnostic]) -> String {
+    let first = said.iter().find(|own| own.severity == Severity::Error);
+    first.map_or_else(|| "the deck has errors".to_owned(), because)
+}
+
+/// What is said, with its code.
+pub(crate) fn because(said: &Diagnostic) -> String {
+    format!("{} ({})", said.message, said.code.0)
 }
 
 /// Why a run has no end: something newer is asked for.

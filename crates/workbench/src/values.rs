@@ -1,8 +1,7 @@
 //! Values of parameters: as the page has them, as a deck takes them.
 
-use crate::parameters::Slider;
+use crate::slider::Slider;
 use serde_json::Value;
-use slideline::keywords::Setting;
 
 /// Values of all sliders, in their order.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,25 +27,5 @@ impl Values {
         let mut own = self.clone();
         own.0[place] = value;
         own
-    }
-
-    /// What a deck is told: only numbers that are not its own.
-    pub fn settings(&self, sliders: &[Slider]) -> Vec<Setting> {
-        let changed = sliders.iter().zip(&self.0).filter(|(own, value)| own.value != **value);
-        let set = |(own, value): (&Slider, &f64)| Setting {
-            name: own.name.clone(),
-            value: written(own, *value),
-            span: None,
-        };
-        changed.map(set).collect()
-    }
-}
-
-/// A value of a slider as a deck has it: whole where the deck's is.
-pub(crate) fn written(slider: &Slider, value: f64) -> String {
-    if slider.whole && value == value.trunc() && value.abs() < 1e15 {
-        format!("{value:.0}")
-    } else {
-        format!("{value:?}")
     }
 }

@@ -179,7 +179,7 @@ fn solids(results: &Results) -> Option<String> {
 /// How much of the allowable is used, where there is one.
 fn share(results: &Results) -> String {
     allowable(results).map_or_else(String::new, |(used, pass)| {
-        let (used, end) = (general(100.0 * used, 3), if pass { "pass" } else { "FAIL" });
+        let (used, end) = (percent(used), if pass { "pass" } else { "FAIL" });
         format!(", {used} % of the allowable: {end}")
     })
 }
@@ -314,13 +314,23 @@ fn tiles_of_solids(results: &Results) -> impl Iterator<Item = [String; 3]> {
     })
 }
 
+/// A share in percent to three digits; whole from a thousand on, as people write it.
+fn percent(share: f64) -> String {
+    let value = 100.0 * share;
+    if (1e3..1e6).contains(&value.abs()) {
+        format!("{value:.0}")
+    } else {
+        general(value, 3).to_string()
+    }
+}
+
 /// The margin to the allowable, where there is one.
 fn margin(results: &Results, element: usize) -> String {
     match allowable(results) {
         Some((used, pass)) => format!(
             "{} % of the allowable, margin {} %: {}",
-            general(100.0 * used, 3),
-            general(100.0 * (1.0 / used - 1.0), 3),
+            percent(used),
+            percent(1.0 / used - 1.0),
             if pass { "pass" } else { "FAIL" }
         ),
         None => format!("element {element}; no allowable is given"),

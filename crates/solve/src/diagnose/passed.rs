@@ -5,6 +5,9 @@ use crate::contact::Missed;
 use crate::increments::Verdict;
 use slideline_diag::{Code, Diagnostic, Place};
 
+/// Least part of an increment that is asked for in its place.
+const LEAST: f64 = 1e-3;
+
 impl Case<'_> {
     /// An equilibrium was found, but a body went through its master on the way,
     /// and no shorter increment is allowed.
@@ -79,7 +82,8 @@ impl Case<'_> {
             self.beyond(),
             self.dt
         );
-        let needed = 0.1 * missed.fraction * self.dt;
+        // one that enters at the beginning of its increment needs some increment still
+        let needed = 0.1 * missed.fraction.max(LEAST) * self.dt;
         let said = Diagnostic::error(Code("SL0519"), message).at(procedure.origin).help(format!(
             "the results up to that time are kept; begin *STATIC with an increment of \
              {needed:.2e} and allow smaller ones"

@@ -413,7 +413,7 @@ class Shape {
     this.supports(this.frame);
     this.moving(this.frame);
     const closed = this.touch(), state = this.states[this.frame];
-    const text = this.scene.where(state) + "; " + (state === 0 ? "undeformed" : closed + (closed === 1 ? " point touches" : " points touch")) + (this.scale === 1 ? "" : "; displacements times " + show(this.scale));
+    const text = this.scene.where(state) + "; " + (state === 0 ? "undeformed" : !this.data.pairs.length ? "deformed" : closed + (closed === 1 ? " point touches" : " points touch")) + (this.scale === 1 ? "" : "; displacements times " + show(this.scale));
     document.getElementById("state").textContent = text;
     this.slider.setAttribute("aria-valuetext", text);
     if (this.moves) this.moves(state, this.frame);
