@@ -16,9 +16,9 @@ use crate::observe::{Event, Frame, Observer, Sensitivity, Stop};
 use crate::problem::Problem;
 use crate::sensitivity::{
     Border, Level, OFFSETS, Side, Surroundings, Varied, Weights, bends, combine_states,
-    is_same_branch, leaves_hard_branch, move_start, move_state,
+    is_same_branch, leaves_hard_branch, move_state,
 };
-use crate::state::State;
+use crate::state::{PointState, State};
 use crate::tangent;
 use crate::target::Target;
 use slideline_linalg::{SolveError, Solver};
@@ -29,7 +29,7 @@ use std::ops::ControlFlow;
 /// The most corrections of the rates.
 const CORRECTIONS: usize = 20;
 /// Part of the rates that the last correction may have [1]; beyond, they are corrected again.
-const SETTLED: f64 = 1e-12;
+const SETTLED: f64 = 3e-11;
 /// The same where rounding forbids more.
 const ROUNDED: f64 = 1e-6;
 /// Part of a correction that the next one should not exceed [1]; where it does, it is of rounding.
@@ -50,9 +50,15 @@ pub(super) struct Increment<'a> {
     pub model: &'a Model,
 }
 
-/// What the neighbours stand in, one behind the other.
+/// What the neighbours stand in, one behind the other, to be used again.
 #[derive(Default)]
-struct Room {
+pub(super) struct Room {
+    /// The step that there is room for, and its contact points; none: 0.
+    step: (usize, usize),
+    /// The converged trial, evaluated once more.
+    base: Scratch,
+    /// Points that the first round does not look at.
+    alone: Vec<bool>,
     sides: [Scratch; 4],
     before: [State; 4],
     after: [State; 4],
@@ -87,24 +93,44 @@ impl Increment<'_> {
     pub fn differentiate(
         &self,
         varied: &mut Varied,
-        work: &mut Scratch,
+        (work, room): (&mut Scratch, &mut Room),
         observer: &mut dyn Observer,
     ) -> ControlFlow<Stop> {
-        let mut base = Scratch::default();
+        room.fit(self.plan, self.target.step);
+        let mut base = std::mem::take(&mut room.base);
         base.evaluate_committed(self.plan, self.old, self.target, self.new);
-        let Ok((border, solver)) = self.linearise(&base, work) else {
+        let told = self.courses(varied, (&base, work, room), observer);
+        room.base = base;
+        told
+    }
+
+    fn courses(
+        &self,
+        varied: &mut Varied,
+        (base, work, room): (&Scratch, &mut Scratch, &mut Room),
+        observer: &mut dyn Observer,
+    ) -> ControlFlow<Stop> {
+        let Ok((border, solver)) = self.linearise(base, work) else {
             varied.courses.iter_mut().for_each(|own| own.is_lost = true);
             return ControlFlow::Continue(());
         };
-        let mut linear = Linear { border, base: &base, solver };
-        let mut room = Room::default();
+        let mut linear = Linear { border, base, solver };
+        self.leave_alone(base, &mut room.alone);
         for course in 0..varied.courses.len() {
             if varied.courses[course].is_lost {
                 continue;
             }
-            self.course((varied, course), &mut linear, &mut room, observer)?;
+            self.course((varied, course), &mut linear, room, observer)?;
         }
         ControlFlow::Continue(())
+    }
+
+    /// Open points that bear on nothing: they are looked at once the rates are known.
+    fn leave_alone(&self, base: &Scratch, alone: &mut Vec<bool>) {
+        let points = base.evaluation.points.iter().enumerate();
+        let is_open = |own: &PointState| !own.closed && own.pressure == 0.0;
+        alone.clear();
+        alone.extend(points.map(|(at, own)| is_open(own) && self.plan.contact.may_be_left(at)));
     }
 
     /// Factors the tangent of the converged trial, its laws in it.
@@ -142,19 +168,19 @@ impl Increment<'_> {
                 continue;
             }
             let own = &mut varied.courses[course];
-            let scale = own.parameter.scale;
-            let (level, known) = own.parts(place);
+            let (scale, was_one_sided) = (own.parameter.scale, own.one_sided);
+            let (level, known) = own.parts(place, self.plan.start);
             let weights = Weights::of(side, level.h);
             let around = self.surroundings(level, known, room);
             let problems = around.each_ref().map(|own| own.problem(self.plan, self.target.step));
-            let found = self.settle((&problems, weights, level.h), linear, (known.0, scale), room);
+            let found = self.settle((&problems, weights, level.h), linear, (known, scale), room);
             let is_last = number + 1 == count;
             if found != Found::Branch && !(is_last && found == Found::Beyond) {
                 continue;
             }
             let forgets = self.plan.contact.laws.iter().all(|own| !own.has_friction())
                 && self.new.elements.is_empty();
-            let one_sided = side != Side::Both || own.one_sided && !forgets;
+            let one_sided = side != Side::Both || was_one_sided && !forgets;
             self.tell((&problems, weights), (course, one_sided), room, observer)?;
             let base = (weights.base != 0.0).then(|| self.new.clone());
             let mut base = base.into_iter().collect::<Vec<_>>();
@@ -171,20 +197,16 @@ impl Increment<'_> {
         ControlFlow::Continue(())
     }
 
-    /// Moves the state and the beginning of the step to the neighbours.
+    /// Moves the state to the neighbours.
     fn surroundings<'b>(
         &self,
         level: &'b Level,
-        (state, start): (&[f64], &[f64]),
+        state: &[f64],
         room: &mut Room,
     ) -> [Surroundings<'b>; 4] {
         std::array::from_fn(|k| {
-            let h = OFFSETS[k] * level.h;
-            move_state(self.old, (state, h), &mut room.before[k]);
-            let start = move_start(self.plan.start, (start, h));
-            let own = &level.near[k];
-            let base = (self.plan, self.old.step_time, self.target);
-            Surroundings::new((&own.0, &own.1), base, start)
+            move_state(self.old, (state, OFFSETS[k] * level.h), &mut room.before[k]);
+            level.surroundings(k, (self.plan, self.old.step_time, self.target))
         })
     }
 
@@ -202,8 +224,9 @@ impl Increment<'_> {
         let points = self.old.points.iter().chain(&self.new.points);
         let pressed = points.fold(0.0, |most: f64, own| most.max(own.pressure));
         let moved = largest(&self.old.displacement).max(largest(&self.new.displacement));
+        let mut is_first = room.alone.contains(&true);
         for _ in 0..CORRECTIONS {
-            if !self.evaluate((problems, weights, h), linear, room) {
+            if !self.evaluate((problems, weights, h), linear, (room, is_first)) {
                 return Found::Nothing;
             }
             let Room { residual, defects, rates, .. } = &mut *room;
@@ -214,9 +237,11 @@ impl Increment<'_> {
             let before = left;
             left = part(residual, &rates.unknowns, moved / scale);
             left = left.max(part(defects, &rates.pressures, pressed / scale));
-            if left <= SETTLED || left <= ROUNDED && left > SLOW * before {
+            let is_settled = left <= SETTLED || left <= ROUNDED && left > SLOW * before;
+            if is_settled && !is_first {
                 break;
             }
+            is_first = false;
             rates.unknowns.iter_mut().zip(residual).for_each(|(rate, more)| *rate += *more);
             border.give(defects, &mut rates.pressures, &mut rates.tractions);
         }
@@ -249,15 +274,17 @@ impl Increment<'_> {
         defects.clear();
     }
 
-    /// Evaluates the neighbours; what their equations leave over.
+    /// Evaluates the neighbours, in the first round without the points that are left alone; what
+    /// their equations leave over.
     fn evaluate(
         &self,
         (problems, weights, h): (&[Problem<'_>; 4], Weights, f64),
         linear: &Linear<'_>,
-        room: &mut Room,
+        (room, is_first): (&mut Room, bool),
     ) -> bool {
         let (border, base) = (&linear.border, linear.base);
-        let Room { sides, before, rates, residual, defects, .. } = room;
+        let Room { sides, before, rates, residual, defects, alone, .. } = room;
+        let alone = if is_first { &alone[..] } else { &[] };
         residual.clear();
         residual.resize(self.plan.constraints.equations(), 0.0);
         defects.clear();
@@ -270,7 +297,7 @@ impl Increment<'_> {
             border.add_defects(weight, (from, &of.evaluation.points), defects);
         };
         for (k, weight) in weights.each() {
-            let near = (base, &*rates, OFFSETS[k] * h);
+            let near = (base, &*rates, OFFSETS[k] * h, alone);
             sides[k].evaluate_near(&problems[k], &before[k], self.target, near);
             let evaluation = &sides[k].evaluation;
             if evaluation.failed.is_some() || evaluation.fault.is_some() {
@@ -328,6 +355,17 @@ impl Increment<'_> {
         }
         let told = Sensitivity { parameter, one_sided, frames: &frames };
         observer.event(Event::Sensitivity(&told))
+    }
+}
+
+impl Room {
+    /// Makes room for a step.
+    fn fit(&mut self, plan: &Problem<'_>, step: usize) {
+        let own = (step, plan.contact.points.len());
+        if self.step != own {
+            self.step = own;
+            self.sides.iter_mut().chain([&mut self.base]).for_each(|side| side.fit_near(plan));
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 use super::neighbour::Level;
 use super::parameter::{Parameter, SensitivityFault};
 use crate::plan::Plan;
+use crate::start::Start;
 use crate::users::UserFrictions;
 use slideline_model::Model;
 
@@ -100,9 +101,16 @@ pub fn sensitivity_fault(
 }
 
 impl Course {
-    /// The neighbours with the step of a place that was made, and the derivatives of state and
-    /// start.
-    pub fn parts(&self, place: usize) -> (&Level, (&[f64], &[f64])) {
-        (&self.levels[place], (&self.state, &self.start))
+    /// The neighbours with the step of a place that was made, in a step that begins from `start`,
+    /// and the derivative of the state.
+    pub fn parts(&mut self, place: usize, start: &Start<'_>) -> (&Level, &[f64]) {
+        let level = &mut self.levels[place];
+        level.take_starts(start, &self.start);
+        (level, &self.state)
+    }
+
+    /// Notes how what a step begins from follows the parameter.
+    pub fn begin_step(&mut self) {
+        self.levels.iter_mut().for_each(Level::begin_step);
     }
 }
