@@ -8,14 +8,17 @@
 //!
 //! docs/theory.md section 13.
 
+mod room;
+
 use super::shown::{Numbers, Rows, frame};
 use crate::balance::pair_rows;
 use crate::commit::commit;
-use crate::newton::{Rates, Scratch};
+use crate::evaluate::zero;
+use crate::newton::Scratch;
 use crate::observe::{Event, Frame, Observer, Sensitivity, Stop};
 use crate::problem::Problem;
 use crate::sensitivity::{
-    Border, Level, OFFSETS, Side, Surroundings, Varied, Weights, bends, combine_states,
+    Border, Level, OFFSETS, Side, Surroundings, Tries, Try, Varied, Weights, bend, combine_states,
     is_same_branch, leaves_hard_branch, move_state,
 };
 use crate::state::{PointState, State};
@@ -26,16 +29,17 @@ use slideline_mech::contact::tangential::Tangential;
 use slideline_model::Model;
 use std::ops::ControlFlow;
 
+pub(super) use room::Room;
+
 /// The most corrections of the rates.
 const CORRECTIONS: usize = 20;
-/// Part of the rates that the last correction may have [1]; beyond, they are corrected again.
-const SETTLED: f64 = 3e-11;
-/// The same where rounding forbids more.
+/// Part of the rates that the last correction may have, and part of the rates of forces that may
+/// be left without balance [1]; beyond, the rates are corrected again.
+const SETTLED: f64 = 3e-9;
+/// The same of the correction where rounding forbids more.
 const ROUNDED: f64 = 1e-6;
 /// Part of a correction that the next one should not exceed [1]; where it does, it is of rounding.
 const SLOW: f64 = 0.3;
-/// Places of the steps with which one side is asked.
-const ONE_SIDED: [usize; 2] = [2, 4];
 
 /// An increment that was committed.
 pub(super) struct Increment<'a> {
@@ -50,24 +54,6 @@ pub(super) struct Increment<'a> {
     pub model: &'a Model,
 }
 
-/// What the neighbours stand in, one behind the other, to be used again.
-#[derive(Default)]
-pub(super) struct Room {
-    /// The step that there is room for, and its contact points; none: 0.
-    step: (usize, usize),
-    /// The converged trial, evaluated once more.
-    base: Scratch,
-    /// Points that the first round does not look at.
-    alone: Vec<bool>,
-    sides: [Scratch; 4],
-    before: [State; 4],
-    after: [State; 4],
-    rows: [Rows; 4],
-    rates: Rates,
-    residual: Vec<f64>,
-    defects: Vec<f64>,
-}
-
 /// What answers all right sides.
 struct Linear<'a> {
     border: Border,
@@ -78,10 +64,9 @@ struct Linear<'a> {
 }
 
 /// What came of the neighbours.
-#[derive(Clone, Copy, PartialEq, Eq)]
 enum Found {
-    /// All stand on the branch of the base.
-    Branch,
+    /// All stand on the branch of the base, and their answers bend by so much.
+    Branch { bend: f64 },
     /// Some do not.
     Beyond,
     /// There is no answer.
@@ -158,12 +143,9 @@ impl Increment<'_> {
         room: &mut Room,
         observer: &mut dyn Observer,
     ) -> ControlFlow<Stop> {
-        let both = varied.courses[course].level.saturating_sub(1)..Varied::levels();
-        let one = ONE_SIDED.iter().flat_map(|&own| [(own, Side::Above), (own, Side::Below)]);
-        let last = (ONE_SIDED[0], Side::Above);
-        let tries = both.map(|own| (own, Side::Both)).chain(one).chain([last]);
-        let count = tries.clone().count();
-        for (number, (place, side)) in tries.enumerate() {
+        let mut tries = Tries::from(varied.courses[course].first(self.target.increment));
+        while let Some(tried) = tries.next() {
+            let Try { place, side, is_last, .. } = tried;
             if varied.level(course, place, self.model).is_err() {
                 continue;
             }
@@ -173,10 +155,10 @@ impl Increment<'_> {
             let weights = Weights::of(side, level.h);
             let around = self.surroundings(level, known, room);
             let problems = around.each_ref().map(|own| own.problem(self.plan, self.target.step));
-            let found = self.settle((&problems, weights, level.h), linear, (known, scale), room);
-            let is_last = number + 1 == count;
-            if found != Found::Branch && !(is_last && found == Found::Beyond) {
-                continue;
+            match self.settle((&problems, weights, level.h), linear, (known, scale), room) {
+                Found::Branch { bend } if tries.accepts(tried, bend) => {}
+                Found::Beyond if is_last => {}
+                _ => continue,
             }
             let forgets = self.plan.contact.laws.iter().all(|own| !own.has_friction())
                 && self.new.elements.is_empty();
@@ -189,7 +171,9 @@ impl Increment<'_> {
             let all = all.chain(base.iter_mut().map(|own| (weights.base, own)));
             combine_states(all, &mut own.state);
             own.one_sided = one_sided;
-            own.level = if side == Side::Both { place } else { own.level };
+            if side == Side::Both {
+                own.note(place);
+            }
             return ControlFlow::Continue(());
         }
         // what follows would begin from a derivative that is none
@@ -220,7 +204,7 @@ impl Increment<'_> {
         room: &mut Room,
     ) -> Found {
         self.guess(known, room);
-        let mut left = f64::INFINITY;
+        let [mut left, mut unbalanced] = [f64::INFINITY; 2];
         let points = self.old.points.iter().chain(&self.new.points);
         let pressed = points.fold(0.0, |most: f64, own| most.max(own.pressure));
         let moved = largest(&self.old.displacement).max(largest(&self.new.displacement));
@@ -229,16 +213,23 @@ impl Increment<'_> {
             if !self.evaluate((problems, weights, h), linear, (room, is_first)) {
                 return Found::Nothing;
             }
+            let before = (left, unbalanced);
+            unbalanced = room.unbalanced(self.plan);
             let Room { residual, defects, rates, .. } = &mut *room;
             let Linear { border, solver, .. } = &mut *linear;
             if border.solve(solver, (&mut *residual, &mut *defects)).is_err() {
                 return Found::Nothing;
             }
-            let before = left;
             left = part(residual, &rates.unknowns, moved / scale);
             left = left.max(part(defects, &rates.pressures, pressed / scale));
-            let is_settled = left <= SETTLED || left <= ROUNDED && left > SLOW * before;
-            if is_settled && !is_first {
+            let rounded = (ROUNDED.min(left), unbalanced);
+            let is_settled = |own: f64, before: f64, rounded: f64| {
+                own <= SETTLED || own <= rounded && own > SLOW * before
+            };
+            if is_settled(left, before.0, rounded.0)
+                && is_settled(unbalanced, before.1, rounded.1)
+                && !is_first
+            {
                 break;
             }
             is_first = false;
@@ -253,10 +244,16 @@ impl Increment<'_> {
             after.copy_from(before);
             commit(&problems[k], before, self.target, &room.sides[k], after);
         }
-        match self.is_on_branch((problems, weights), (h, scale), room) {
-            true => Found::Branch,
-            false => Found::Beyond,
+        if !self.is_on_branch((problems, weights), room) {
+            return Found::Beyond;
         }
+        let is_both = weights.base == 0.0;
+        let bend = match is_both {
+            true => bend(&room.after, self.new, (h, scale))
+                .max(room.bend_of_forces(self.plan, (h, scale))),
+            false => 0.0,
+        };
+        if bend.is_finite() { Found::Branch { bend } } else { Found::Beyond }
     }
 
     /// First rates: those of the state before.
@@ -283,16 +280,16 @@ impl Increment<'_> {
         (room, is_first): (&mut Room, bool),
     ) -> bool {
         let (border, base) = (&linear.border, linear.base);
-        let Room { sides, before, rates, residual, defects, alone, .. } = room;
+        let Room { sides, before, rates, residual, defects, alone, forces, .. } = room;
         let alone = if is_first { &alone[..] } else { &[] };
-        residual.clear();
-        residual.resize(self.plan.constraints.equations(), 0.0);
-        defects.clear();
-        defects.resize(border.len(), 0.0);
+        zero(defects, border.len());
+        forces.iter_mut().for_each(|list| zero(list, self.plan.dofs.len()));
+        let [left, touching] = forces;
         let mut add = |weight: f64, of: &Scratch, from: &State| {
-            let dofs = &self.plan.constraints.dof_of_equation;
-            for (sum, &dof) in residual.iter_mut().zip(dofs) {
-                *sum += weight * of.evaluation.unbalanced(dof);
+            let each = left.iter_mut().zip(&mut *touching).zip(&of.evaluation.contact);
+            for (dof, ((left, touching), contact)) in each.enumerate() {
+                *left += weight * of.evaluation.unbalanced(dof);
+                *touching += weight * contact;
             }
             border.add_defects(weight, (from, &of.evaluation.points), defects);
         };
@@ -308,23 +305,19 @@ impl Increment<'_> {
         if weights.base != 0.0 {
             add(weights.base, base, self.old);
         }
+        residual.clear();
+        residual.extend(self.plan.constraints.dof_of_equation.iter().map(|&dof| left[dof]));
         residual.iter().chain(&*defects).all(|value| value.is_finite())
     }
 
     /// Whether the neighbours stand on the branch of the base.
-    fn is_on_branch(
-        &self,
-        (problems, weights): (&[Problem<'_>; 4], Weights),
-        steps: (f64, f64),
-        room: &Room,
-    ) -> bool {
+    fn is_on_branch(&self, (problems, weights): (&[Problem<'_>; 4], Weights), room: &Room) -> bool {
         let mut each = weights.each();
-        let points = each.all(|(k, _)| {
+        each.all(|(k, _)| {
             let (points, own) = (&room.after[k].points, &self.new.points);
             own.iter().zip(points).all(|(one, other)| is_same_branch(one, other))
                 && !leaves_hard_branch(&problems[k], &room.before[k], points)
-        });
-        points && (weights.base != 0.0 || !bends(&room.after, self.new, steps))
+        })
     }
 
     /// Tells how frames follow the parameter.
@@ -355,17 +348,6 @@ impl Increment<'_> {
         }
         let told = Sensitivity { parameter, one_sided, frames: &frames };
         observer.event(Event::Sensitivity(&told))
-    }
-}
-
-impl Room {
-    /// Makes room for a step.
-    fn fit(&mut self, plan: &Problem<'_>, step: usize) {
-        let own = (step, plan.contact.points.len());
-        if self.step != own {
-            self.step = own;
-            self.sides.iter_mut().chain([&mut self.base]).for_each(|side| side.fit_near(plan));
-        }
     }
 }
 

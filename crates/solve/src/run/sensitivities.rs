@@ -65,7 +65,7 @@ impl Analysis<'_> {
         number: usize,
         (state, start): &(State, Start<'static>),
     ) -> Option<()> {
-        let place = varied.courses[course].level;
+        let place = varied.courses[course].first(1);
         let (mut states, mut starts) = (Vec::new(), Vec::new());
         let (of_state, of_start) = {
             let own = &mut varied.courses[course];

@@ -5,6 +5,7 @@ use super::parameter::{Parameter, SensitivityFault};
 use super::stencil::OFFSETS;
 use crate::constraints::Constraints;
 use crate::contact::Contact;
+use crate::continued::Continued;
 use crate::plan::Plan;
 use crate::problem::Problem;
 use crate::start::Start;
@@ -119,10 +120,13 @@ impl<'a> Surroundings<'a> {
         let Self { model, values, .. } = *self;
         let kernels = self.kernels.as_ref().unwrap_or(&values.kernels);
         let own = |numbered: usize| &model.steps[numbered];
+        let before = step.checked_sub(2).map(own);
+        let continued = Continued { amplitudes: &model.amplitudes, before };
         Problem {
             model,
             step: own(step - 1),
-            before: step.checked_sub(2).map(own),
+            before,
+            largest_load: continued.largest_load(own(step - 1)),
             constraints: Constraints { motion: &values.motion, ..base.constraints },
             structure: Structure {
                 kernels,
