@@ -6,6 +6,9 @@ use crate::problem::Problem;
 use crate::sensitivity::beyond_rounding;
 use crate::state::State;
 
+/// What a bend of forces counts [1]: their own are stiff, and right to the square of it too.
+const FORCES: f64 = 2e-2;
+
 /// What the neighbours stand in, one behind the other, to be used again.
 #[derive(Default)]
 pub(in crate::run) struct Room {
@@ -52,7 +55,7 @@ impl Room {
             note(sides.map(|own| own.unbalanced(dof)));
             note(sides.map(|own| own.contact[dof]));
         }
-        beyond_rounding(bent, (rate, size), (h, scale))
+        FORCES * beyond_rounding(bent, (rate, size), (h, scale))
     }
 
     /// Largest rate of a force that should be balanced and is not, in the largest rate of a
