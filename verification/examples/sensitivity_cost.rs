@@ -1,5 +1,5 @@
 //! What derivatives by five parameters cost, in analyses: decks of the paper, a snap-fit, solids.
-//! `cargo run --release -p slideline-verification --example sensitivity_cost`.
+//! `cargo run --release -p slideline-verification --example sensitivity_cost [-- DECK]`.
 
 // a deck that cannot be read has nothing to measure
 #![allow(clippy::expect_used, clippy::print_stdout)]
@@ -56,7 +56,11 @@ fn main() {
         ("solid_blocks_mm", of_blocks(BLOCKS)),
     ];
     println!("deck, parameters, run [ms], differentiated [ms], more [runs]");
+    let only = std::env::args().nth(1);
     for (name, deck) in decks {
+        if only.as_ref().is_some_and(|own| own != name) {
+            continue;
+        }
         let read = Job::read_text(name, &deck, &ReadOptions::default());
         let model = read.model.as_ref().expect("the deck is read");
         let deck = Arc::new(Parametric::of(&read).expect("it goes on from no other"));

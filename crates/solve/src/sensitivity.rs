@@ -15,11 +15,15 @@ mod neighbour;
 mod numbers;
 mod parameter;
 mod stencil;
+mod tries;
 mod varied;
 
 pub use border::{Border, leaves_hard_branch};
 pub use neighbour::{Level, Surroundings};
-pub use numbers::{bends, combine_starts, combine_states, is_same_branch, move_start, move_state};
+pub use numbers::{
+    bend, beyond_rounding, combine_starts, combine_states, is_same_branch, move_start, move_state,
+};
 pub use parameter::{Parameter, SensitivityFault};
 pub use stencil::{OFFSETS, Side, Weights};
+pub use tries::{Tries, Try};
 pub use varied::{Varied, sensitivity_fault};

@@ -28,6 +28,8 @@ pub struct Look {
     is_fresh: bool,
     /// Whether each point is left alone.
     pub idle: Vec<bool>,
+    /// Whether that was said from outside.
+    is_told: bool,
 }
 
 impl Look {
@@ -35,6 +37,14 @@ impl Look {
     pub fn forget(&mut self) {
         self.at.clear();
         self.idle.fill(false);
+        self.is_told = false;
+    }
+
+    /// Leaves these points alone in the next evaluation, whatever was seen.
+    pub fn leave(&mut self, alone: &[bool]) {
+        self.idle.clear();
+        self.idle.extend_from_slice(alone);
+        self.is_told = true;
     }
 
     /// Whether all points were last looked at at displacements `u`.
@@ -60,6 +70,9 @@ impl Contact {
         (u, pressures): (&[f64], &[f64]),
         look: &mut Look,
     ) {
+        if std::mem::take(&mut look.is_told) {
+            return;
+        }
         look.idle.resize(self.points.len(), false);
         if look.at.is_empty() {
             look.idle.fill(false);
@@ -84,14 +97,18 @@ impl Contact {
             .all(|place| self.stays_open(place, &kinematics.at(place), u, look))
     }
 
-    fn stays_open(&self, place: usize, kinematics: &PointRows<'_>, u: &[f64], look: &Look) -> bool {
+    /// Whether a point bears on nothing but itself while it is open.
+    pub fn may_be_left(&self, place: usize) -> bool {
         let point = &self.points[place];
         // what may not separate is held wherever it goes, what is allowed changes with time
-        if self.keeps[point.pair] || !self.allowed.is_empty() {
-            return false;
-        }
+        let is_bound = self.keeps[point.pair] || !self.allowed.is_empty();
+        !is_bound && point.is_node() && point.mortar.is_none()
+    }
+
+    fn stays_open(&self, place: usize, kinematics: &PointRows<'_>, u: &[f64], look: &Look) -> bool {
+        let point = &self.points[place];
         let Carrier::Node { position, dofs } = &point.carrier else { return false };
-        if !kinematics.faces || point.mortar.is_some() {
+        if !kinematics.faces || !self.may_be_left(place) {
             return false;
         }
         let master = &self.masters[point.pair];

@@ -23,14 +23,19 @@ pub struct Rates {
 
 impl Scratch {
     /// Evaluates a neighbour of the converged trial `of`: its unknowns moved by `h` times their
-    /// rates, all else that of the neighbour.
+    /// rates, all else that of the neighbour. Open contact points that `alone` names are not looked
+    /// at; empty: all are.
     pub fn evaluate_near(
         &mut self,
         plan: &Problem<'_>,
         committed: &State,
         target: &Target,
-        (of, rates, h): (&Self, &Rates, f64),
+        (of, rates, h, alone): (&Self, &Rates, f64, &[bool]),
     ) {
+        self.evaluation.look.forget();
+        if !alone.is_empty() {
+            self.evaluation.look.leave(alone);
+        }
         self.u.clone_from(&of.u);
         for (&dof, rate) in plan.constraints.dof_of_equation.iter().zip(&rates.unknowns) {
             self.u[dof] += h * rate;
@@ -58,6 +63,7 @@ impl Scratch {
         self.pressures.extend(now.points.iter().map(|point| point.pressure));
         self.tractions.clear();
         self.tractions.extend(now.points.iter().map(|point| point.traction));
+        self.evaluation.look.forget();
         self.standing.clear();
         let face = |point: &PointState| point.footing.map(|footing| footing.place.face);
         self.standing.extend(now.points.iter().map(face));
@@ -66,7 +72,6 @@ impl Scratch {
 
     /// Evaluates unknowns and estimates that were set, with all that the time prescribes.
     fn evaluate_there(&mut self, plan: &Problem<'_>, committed: &State, target: &Target) {
-        self.evaluation.fit(plan);
         self.dashpots.forget(plan.contact);
         recall_points(committed, self);
         self.dt = target.dt;
@@ -76,6 +81,11 @@ impl Scratch {
         self.follow_time(plan, committed, target);
         self.held.hold(std::iter::empty());
         self.evaluate_by(plan, committed, target.dt, evaluate_forces);
+    }
+
+    /// Makes room for the evaluations of neighbours in a step.
+    pub fn fit_near(&mut self, plan: &Problem<'_>) {
+        self.evaluation.fit(plan);
     }
 
     /// Factors the tangent of the converged trial with these values.

@@ -1,5 +1,6 @@
 //! An analysis under way: what it runs on, and how a step may be left early.
 
+use super::neighbours;
 use super::options::{Options, TangentCheck};
 use super::shown::Rows;
 use crate::contact::Reached;
@@ -25,6 +26,7 @@ pub struct Room {
     pub(super) start: Start<'static>,
     /// States of an increment that the pattern follows.
     pub(super) reached: Vec<Reached>,
+    pub(super) neighbours: neighbours::Room,
 }
 
 impl Room {
@@ -63,6 +65,7 @@ pub struct Analysis<'a> {
     /// What the run is differentiated by, and the state and start before the step.
     pub varied: Option<&'a mut Varied>,
     pub(super) before: Option<Box<(State, Start<'static>)>>,
+    pub(super) neighbours: &'a mut neighbours::Room,
 }
 
 /// Why a step was left before its end.
@@ -79,7 +82,7 @@ impl<'a> Analysis<'a> {
         (options, means): (&Options, Means<'a>),
         (room, observer): (&'a mut Room, &'a mut dyn Observer),
     ) -> Self {
-        let Room { committed, trial, rows, start, reached } = room;
+        let Room { committed, trial, rows, start, reached, neighbours } = room;
         Self {
             model,
             plan,
@@ -99,6 +102,7 @@ impl<'a> Analysis<'a> {
             rows,
             varied: None,
             before: None,
+            neighbours,
         }
     }
 

@@ -8,17 +8,20 @@
 //!
 //! docs/theory.md section 13.
 
+mod room;
+
 use super::shown::{Numbers, Rows, frame};
 use crate::balance::pair_rows;
 use crate::commit::commit;
-use crate::newton::{Rates, Scratch};
+use crate::evaluate::zero;
+use crate::newton::Scratch;
 use crate::observe::{Event, Frame, Observer, Sensitivity, Stop};
 use crate::problem::Problem;
 use crate::sensitivity::{
-    Border, Level, OFFSETS, Side, Surroundings, Varied, Weights, bends, combine_states,
-    is_same_branch, leaves_hard_branch, move_start, move_state,
+    Border, Level, OFFSETS, Side, Surroundings, Tries, Try, Varied, Weights, bend, combine_states,
+    is_same_branch, leaves_hard_branch, move_state,
 };
-use crate::state::State;
+use crate::state::{PointState, State};
 use crate::tangent;
 use crate::target::Target;
 use slideline_linalg::{SolveError, Solver};
@@ -26,16 +29,17 @@ use slideline_mech::contact::tangential::Tangential;
 use slideline_model::Model;
 use std::ops::ControlFlow;
 
+pub(super) use room::Room;
+
 /// The most corrections of the rates.
 const CORRECTIONS: usize = 20;
-/// Part of the rates that the last correction may have [1]; beyond, they are corrected again.
-const SETTLED: f64 = 1e-12;
-/// The same where rounding forbids more.
+/// Part of the rates that the last correction may have, and part of the rates of forces that may
+/// be left without balance [1]; beyond, the rates are corrected again.
+const SETTLED: f64 = 3e-9;
+/// The same of the correction where rounding forbids more.
 const ROUNDED: f64 = 1e-6;
 /// Part of a correction that the next one should not exceed [1]; where it does, it is of rounding.
 const SLOW: f64 = 0.3;
-/// Places of the steps with which one side is asked.
-const ONE_SIDED: [usize; 2] = [2, 4];
 
 /// An increment that was committed.
 pub(super) struct Increment<'a> {
@@ -50,18 +54,6 @@ pub(super) struct Increment<'a> {
     pub model: &'a Model,
 }
 
-/// What the neighbours stand in, one behind the other.
-#[derive(Default)]
-struct Room {
-    sides: [Scratch; 4],
-    before: [State; 4],
-    after: [State; 4],
-    rows: [Rows; 4],
-    rates: Rates,
-    residual: Vec<f64>,
-    defects: Vec<f64>,
-}
-
 /// What answers all right sides.
 struct Linear<'a> {
     border: Border,
@@ -72,10 +64,9 @@ struct Linear<'a> {
 }
 
 /// What came of the neighbours.
-#[derive(Clone, Copy, PartialEq, Eq)]
 enum Found {
-    /// All stand on the branch of the base.
-    Branch,
+    /// All stand on the branch of the base, and their answers bend by so much.
+    Branch { bend: f64 },
     /// Some do not.
     Beyond,
     /// There is no answer.
@@ -87,24 +78,44 @@ impl Increment<'_> {
     pub fn differentiate(
         &self,
         varied: &mut Varied,
-        work: &mut Scratch,
+        (work, room): (&mut Scratch, &mut Room),
         observer: &mut dyn Observer,
     ) -> ControlFlow<Stop> {
-        let mut base = Scratch::default();
+        room.fit(self.plan, self.target.step);
+        let mut base = std::mem::take(&mut room.base);
         base.evaluate_committed(self.plan, self.old, self.target, self.new);
-        let Ok((border, solver)) = self.linearise(&base, work) else {
+        let told = self.courses(varied, (&base, work, room), observer);
+        room.base = base;
+        told
+    }
+
+    fn courses(
+        &self,
+        varied: &mut Varied,
+        (base, work, room): (&Scratch, &mut Scratch, &mut Room),
+        observer: &mut dyn Observer,
+    ) -> ControlFlow<Stop> {
+        let Ok((border, solver)) = self.linearise(base, work) else {
             varied.courses.iter_mut().for_each(|own| own.is_lost = true);
             return ControlFlow::Continue(());
         };
-        let mut linear = Linear { border, base: &base, solver };
-        let mut room = Room::default();
+        let mut linear = Linear { border, base, solver };
+        self.leave_alone(base, &mut room.alone);
         for course in 0..varied.courses.len() {
             if varied.courses[course].is_lost {
                 continue;
             }
-            self.course((varied, course), &mut linear, &mut room, observer)?;
+            self.course((varied, course), &mut linear, room, observer)?;
         }
         ControlFlow::Continue(())
+    }
+
+    /// Open points that bear on nothing: they are looked at once the rates are known.
+    fn leave_alone(&self, base: &Scratch, alone: &mut Vec<bool>) {
+        let points = base.evaluation.points.iter().enumerate();
+        let is_open = |own: &PointState| !own.closed && own.pressure == 0.0;
+        alone.clear();
+        alone.extend(points.map(|(at, own)| is_open(own) && self.plan.contact.may_be_left(at)));
     }
 
     /// Factors the tangent of the converged trial, its laws in it.
@@ -132,29 +143,26 @@ impl Increment<'_> {
         room: &mut Room,
         observer: &mut dyn Observer,
     ) -> ControlFlow<Stop> {
-        let both = varied.courses[course].level.saturating_sub(1)..Varied::levels();
-        let one = ONE_SIDED.iter().flat_map(|&own| [(own, Side::Above), (own, Side::Below)]);
-        let last = (ONE_SIDED[0], Side::Above);
-        let tries = both.map(|own| (own, Side::Both)).chain(one).chain([last]);
-        let count = tries.clone().count();
-        for (number, (place, side)) in tries.enumerate() {
+        let mut tries = Tries::from(varied.courses[course].first(self.target.increment));
+        while let Some(tried) = tries.next() {
+            let Try { place, side, is_last, .. } = tried;
             if varied.level(course, place, self.model).is_err() {
                 continue;
             }
             let own = &mut varied.courses[course];
-            let scale = own.parameter.scale;
-            let (level, known) = own.parts(place);
+            let (scale, was_one_sided) = (own.parameter.scale, own.one_sided);
+            let (level, known) = own.parts(place, self.plan.start);
             let weights = Weights::of(side, level.h);
             let around = self.surroundings(level, known, room);
             let problems = around.each_ref().map(|own| own.problem(self.plan, self.target.step));
-            let found = self.settle((&problems, weights, level.h), linear, (known.0, scale), room);
-            let is_last = number + 1 == count;
-            if found != Found::Branch && !(is_last && found == Found::Beyond) {
-                continue;
+            match self.settle((&problems, weights, level.h), linear, (known, scale), room) {
+                Found::Branch { bend } if tries.accepts(tried, bend) => {}
+                Found::Beyond if is_last => {}
+                _ => continue,
             }
             let forgets = self.plan.contact.laws.iter().all(|own| !own.has_friction())
                 && self.new.elements.is_empty();
-            let one_sided = side != Side::Both || own.one_sided && !forgets;
+            let one_sided = side != Side::Both || was_one_sided && !forgets;
             self.tell((&problems, weights), (course, one_sided), room, observer)?;
             let base = (weights.base != 0.0).then(|| self.new.clone());
             let mut base = base.into_iter().collect::<Vec<_>>();
@@ -163,7 +171,9 @@ impl Increment<'_> {
             let all = all.chain(base.iter_mut().map(|own| (weights.base, own)));
             combine_states(all, &mut own.state);
             own.one_sided = one_sided;
-            own.level = if side == Side::Both { place } else { own.level };
+            if side == Side::Both {
+                own.note(place);
+            }
             return ControlFlow::Continue(());
         }
         // what follows would begin from a derivative that is none
@@ -171,20 +181,16 @@ impl Increment<'_> {
         ControlFlow::Continue(())
     }
 
-    /// Moves the state and the beginning of the step to the neighbours.
+    /// Moves the state to the neighbours.
     fn surroundings<'b>(
         &self,
         level: &'b Level,
-        (state, start): (&[f64], &[f64]),
+        state: &[f64],
         room: &mut Room,
     ) -> [Surroundings<'b>; 4] {
         std::array::from_fn(|k| {
-            let h = OFFSETS[k] * level.h;
-            move_state(self.old, (state, h), &mut room.before[k]);
-            let start = move_start(self.plan.start, (start, h));
-            let own = &level.near[k];
-            let base = (self.plan, self.old.step_time, self.target);
-            Surroundings::new((&own.0, &own.1), base, start)
+            move_state(self.old, (state, OFFSETS[k] * level.h), &mut room.before[k]);
+            level.surroundings(k, (self.plan, self.old.step_time, self.target))
         })
     }
 
@@ -198,25 +204,35 @@ impl Increment<'_> {
         room: &mut Room,
     ) -> Found {
         self.guess(known, room);
-        let mut left = f64::INFINITY;
+        let [mut left, mut unbalanced] = [f64::INFINITY; 2];
         let points = self.old.points.iter().chain(&self.new.points);
         let pressed = points.fold(0.0, |most: f64, own| most.max(own.pressure));
         let moved = largest(&self.old.displacement).max(largest(&self.new.displacement));
+        let mut is_first = room.alone.contains(&true);
         for _ in 0..CORRECTIONS {
-            if !self.evaluate((problems, weights, h), linear, room) {
+            if !self.evaluate((problems, weights, h), linear, (room, is_first)) {
                 return Found::Nothing;
             }
+            let before = (left, unbalanced);
+            unbalanced = room.unbalanced(self.plan);
             let Room { residual, defects, rates, .. } = &mut *room;
             let Linear { border, solver, .. } = &mut *linear;
             if border.solve(solver, (&mut *residual, &mut *defects)).is_err() {
                 return Found::Nothing;
             }
-            let before = left;
             left = part(residual, &rates.unknowns, moved / scale);
             left = left.max(part(defects, &rates.pressures, pressed / scale));
-            if left <= SETTLED || left <= ROUNDED && left > SLOW * before {
+            let rounded = (ROUNDED.min(left), unbalanced);
+            let is_settled = |own: f64, before: f64, rounded: f64| {
+                own <= SETTLED || own <= rounded && own > SLOW * before
+            };
+            if is_settled(left, before.0, rounded.0)
+                && is_settled(unbalanced, before.1, rounded.1)
+                && !is_first
+            {
                 break;
             }
+            is_first = false;
             rates.unknowns.iter_mut().zip(residual).for_each(|(rate, more)| *rate += *more);
             border.give(defects, &mut rates.pressures, &mut rates.tractions);
         }
@@ -228,10 +244,16 @@ impl Increment<'_> {
             after.copy_from(before);
             commit(&problems[k], before, self.target, &room.sides[k], after);
         }
-        match self.is_on_branch((problems, weights), (h, scale), room) {
-            true => Found::Branch,
-            false => Found::Beyond,
+        if !self.is_on_branch((problems, weights), room) {
+            return Found::Beyond;
         }
+        let is_both = weights.base == 0.0;
+        let bend = match is_both {
+            true => bend(&room.after, self.new, (h, scale))
+                .max(room.bend_of_forces(self.plan, (h, scale))),
+            false => 0.0,
+        };
+        if bend.is_finite() { Found::Branch { bend } } else { Found::Beyond }
     }
 
     /// First rates: those of the state before.
@@ -249,28 +271,30 @@ impl Increment<'_> {
         defects.clear();
     }
 
-    /// Evaluates the neighbours; what their equations leave over.
+    /// Evaluates the neighbours, in the first round without the points that are left alone; what
+    /// their equations leave over.
     fn evaluate(
         &self,
         (problems, weights, h): (&[Problem<'_>; 4], Weights, f64),
         linear: &Linear<'_>,
-        room: &mut Room,
+        (room, is_first): (&mut Room, bool),
     ) -> bool {
         let (border, base) = (&linear.border, linear.base);
-        let Room { sides, before, rates, residual, defects, .. } = room;
-        residual.clear();
-        residual.resize(self.plan.constraints.equations(), 0.0);
-        defects.clear();
-        defects.resize(border.len(), 0.0);
+        let Room { sides, before, rates, residual, defects, alone, forces, .. } = room;
+        let alone = if is_first { &alone[..] } else { &[] };
+        zero(defects, border.len());
+        forces.iter_mut().for_each(|list| zero(list, self.plan.dofs.len()));
+        let [left, touching] = forces;
         let mut add = |weight: f64, of: &Scratch, from: &State| {
-            let dofs = &self.plan.constraints.dof_of_equation;
-            for (sum, &dof) in residual.iter_mut().zip(dofs) {
-                *sum += weight * of.evaluation.unbalanced(dof);
+            let each = left.iter_mut().zip(&mut *touching).zip(&of.evaluation.contact);
+            for (dof, ((left, touching), contact)) in each.enumerate() {
+                *left += weight * of.evaluation.unbalanced(dof);
+                *touching += weight * contact;
             }
             border.add_defects(weight, (from, &of.evaluation.points), defects);
         };
         for (k, weight) in weights.each() {
-            let near = (base, &*rates, OFFSETS[k] * h);
+            let near = (base, &*rates, OFFSETS[k] * h, alone);
             sides[k].evaluate_near(&problems[k], &before[k], self.target, near);
             let evaluation = &sides[k].evaluation;
             if evaluation.failed.is_some() || evaluation.fault.is_some() {
@@ -281,23 +305,19 @@ impl Increment<'_> {
         if weights.base != 0.0 {
             add(weights.base, base, self.old);
         }
+        residual.clear();
+        residual.extend(self.plan.constraints.dof_of_equation.iter().map(|&dof| left[dof]));
         residual.iter().chain(&*defects).all(|value| value.is_finite())
     }
 
     /// Whether the neighbours stand on the branch of the base.
-    fn is_on_branch(
-        &self,
-        (problems, weights): (&[Problem<'_>; 4], Weights),
-        steps: (f64, f64),
-        room: &Room,
-    ) -> bool {
+    fn is_on_branch(&self, (problems, weights): (&[Problem<'_>; 4], Weights), room: &Room) -> bool {
         let mut each = weights.each();
-        let points = each.all(|(k, _)| {
+        each.all(|(k, _)| {
             let (points, own) = (&room.after[k].points, &self.new.points);
             own.iter().zip(points).all(|(one, other)| is_same_branch(one, other))
                 && !leaves_hard_branch(&problems[k], &room.before[k], points)
-        });
-        points && (weights.base != 0.0 || !bends(&room.after, self.new, steps))
+        })
     }
 
     /// Tells how frames follow the parameter.

@@ -65,7 +65,7 @@ impl Analysis<'_> {
         number: usize,
         (state, start): &(State, Start<'static>),
     ) -> Option<()> {
-        let place = varied.courses[course].level;
+        let place = varied.courses[course].first(1);
         let (mut states, mut starts) = (Vec::new(), Vec::new());
         let (of_state, of_start) = {
             let own = &mut varied.courses[course];
@@ -89,6 +89,7 @@ impl Analysis<'_> {
         let own = &mut varied.courses[course];
         combine_states(weights.near.into_iter().zip(&mut states), &mut own.state);
         combine_starts(weights.near.into_iter().zip(&mut starts), &mut own.start);
+        own.begin_step();
         Some(())
     }
 
@@ -121,7 +122,7 @@ impl Analysis<'_> {
             closed: &self.rows.closed,
             model: self.model,
         };
-        let told = increment.differentiate(varied, work, self.observer);
+        let told = increment.differentiate(varied, (work, self.neighbours), self.observer);
         self.varied = Some(varied);
         match told {
             ControlFlow::Continue(()) => Ok(()),

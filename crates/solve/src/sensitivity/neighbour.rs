@@ -1,9 +1,11 @@
 //! Models at neighbouring values of a parameter, and the step that they are in.
 
+use super::numbers::move_start;
 use super::parameter::{Parameter, SensitivityFault};
 use super::stencil::OFFSETS;
 use crate::constraints::Constraints;
 use crate::contact::Contact;
+use crate::continued::Continued;
 use crate::plan::Plan;
 use crate::problem::Problem;
 use crate::start::Start;
@@ -21,6 +23,8 @@ pub struct Level {
     pub h: f64,
     /// Models and their values, in the order of [`OFFSETS`].
     pub near: Vec<(Model, Values)>,
+    /// What the step at hand begins from in each; none yet: empty.
+    starts: Vec<Start<'static>>,
 }
 
 impl Level {
@@ -47,7 +51,31 @@ impl Level {
             }
             Ok((model, values))
         });
-        Ok(Self { h, near: near.collect::<Result<_, _>>()? })
+        Ok(Self { h, near: near.collect::<Result<_, _>>()?, starts: Vec::new() })
+    }
+
+    /// Forgets what a step begins from: another one begins.
+    pub fn begin_step(&mut self) {
+        self.starts.clear();
+    }
+
+    /// Finds what the step begins from in every neighbour of one that begins from `start`, which
+    /// moves by these derivatives.
+    pub fn take_starts(&mut self, start: &Start<'_>, derivatives: &[f64]) {
+        if self.starts.is_empty() {
+            let steps = OFFSETS.map(|offset| offset * self.h);
+            self.starts.extend(steps.map(|h| move_start(start, (derivatives, h))));
+        }
+    }
+
+    /// The step of a neighbour in an increment of `base`.
+    pub fn surroundings(
+        &self,
+        neighbour: usize,
+        base: (&Problem<'_>, f64, &Target),
+    ) -> Surroundings<'_> {
+        let (model, values) = &self.near[neighbour];
+        Surroundings::new((model, values), base, &self.starts[neighbour])
     }
 }
 
@@ -59,15 +87,15 @@ pub struct Surroundings<'a> {
     contact: Cow<'a, Contact>,
     kernels: Option<Kernels>,
     /// What its step begins from.
-    pub start: Start<'static>,
+    start: &'a Start<'static>,
 }
 
 impl<'a> Surroundings<'a> {
     /// Those of a neighbour of `base` in an increment from `time` [T] on that begins from `start`.
-    pub fn new(
+    fn new(
         (model, values): (&'a Model, &'a Values),
         (base, time, target): (&Problem<'_>, f64, &Target),
-        start: Start<'static>,
+        start: &'a Start<'static>,
     ) -> Self {
         let step = &model.steps[target.step - 1];
         let contact = values.contact.of_step((model, base.dofs.len()), step);
@@ -92,10 +120,13 @@ impl<'a> Surroundings<'a> {
         let Self { model, values, .. } = *self;
         let kernels = self.kernels.as_ref().unwrap_or(&values.kernels);
         let own = |numbered: usize| &model.steps[numbered];
+        let before = step.checked_sub(2).map(own);
+        let continued = Continued { amplitudes: &model.amplitudes, before };
         Problem {
             model,
             step: own(step - 1),
-            before: step.checked_sub(2).map(own),
+            before,
+            largest_load: continued.largest_load(own(step - 1)),
             constraints: Constraints { motion: &values.motion, ..base.constraints },
             structure: Structure {
                 kernels,
@@ -110,7 +141,7 @@ impl<'a> Surroundings<'a> {
             lever: values.lever,
             enforcement: None,
             faces: &values.faces[step - 1],
-            start: &self.start,
+            start: self.start,
             ..*base
         }
     }

@@ -66,8 +66,6 @@ pub fn is_same_branch(one: &PointState, other: &PointState) -> bool {
         && face(one) == face(other)
 }
 
-/// Part of the differences that a smooth history may bend by [1].
-const SMOOTH: f64 = 1e-3;
 /// Part by which both sides may differ [1].
 const SIDES: f64 = 0.1;
 /// Rates that count as none, in the largest number over the scale of the parameter [1].
@@ -75,11 +73,12 @@ const NOTHING: f64 = 1e-6;
 /// What rounding may do to numbers, in parts of the largest [1].
 const ROUNDING: f64 = 1e-11;
 
-/// Whether four neighbours with steps `h` of a parameter of that scale, and the base, show a kink between them: differences with one
-/// and two steps disagree, or those of both sides.
-pub fn bends(states: &[State; 4], base: &State, (h, scale): (f64, f64)) -> bool {
+/// Part of the rates by which differences with one and two steps `h` of a parameter of that scale
+/// disagree over four neighbours [1]; infinite where those of both sides of the base do: there is a
+/// kink between them.
+pub fn bend(states: &[State; 4], base: &State, (h, scale): (f64, f64)) -> f64 {
     let lists: [fn(&State) -> &[f64]; 2] = [|own| &own.elements, |own| &own.reaction];
-    lists.into_iter().any(|list| {
+    let of = lists.map(|list| {
         let [a, b, c, d] = states.each_ref().map(list);
         let [mut bent, mut apart, mut rate, mut size] = [0.0_f64; 4];
         for (i, own) in list(base).iter().enumerate() {
@@ -89,9 +88,24 @@ pub fn bends(states: &[State; 4], base: &State, (h, scale): (f64, f64)) -> bool 
             apart = apart.max((c[i] - 2.0 * own + b[i]).abs() / h.abs());
             size = size.max(own.abs());
         }
-        let nothing = ROUNDING * size / h.abs() + NOTHING * size / scale;
-        bent > SMOOTH * rate + nothing || apart > SIDES * (rate + size / scale) + nothing
-    })
+        let nothing = of_rounding(size, (h, scale));
+        if apart > SIDES * (rate + size / scale) + nothing {
+            return f64::INFINITY;
+        }
+        beyond_rounding(bent, (rate, size), (h, scale))
+    });
+    of[0].max(of[1])
+}
+
+/// What rounding may make of the rates of numbers of that size.
+fn of_rounding(size: f64, (h, scale): (f64, f64)) -> f64 {
+    ROUNDING * size / h.abs() + NOTHING * size / scale
+}
+
+/// The part of the rates that is more than rounding [1].
+pub fn beyond_rounding(bent: f64, (rate, size): (f64, f64), steps: (f64, f64)) -> f64 {
+    let beyond = (bent - of_rounding(size, steps)).max(0.0);
+    if beyond == 0.0 { 0.0 } else { beyond / rate }
 }
 
 fn each_of_state(state: &mut State, call: &mut dyn FnMut(&mut f64)) {

@@ -2,13 +2,14 @@
 
 use super::neighbour::Level;
 use super::parameter::{Parameter, SensitivityFault};
+use super::tries::STEPS;
 use crate::plan::Plan;
+use crate::start::Start;
 use crate::users::UserFrictions;
 use slideline_model::Model;
 
-/// Steps that are tried, in scales of the parameter: the fourth power of the first is truncation,
-/// rounding grows with their inverse; smaller ones find back to the branch of the base.
-const STEPS: [f64; 5] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7];
+/// Increments after which a larger step is tried again.
+const AGAIN: usize = 8;
 
 /// A parameter on the way through a run.
 #[derive(Debug)]
@@ -17,8 +18,8 @@ pub struct Course {
     pub parameter: Parameter,
     /// Neighbours with the steps that were needed so far.
     levels: Vec<Level>,
-    /// Place of the step that did last.
-    pub level: usize,
+    /// Places of the steps that did in the last increment and the one before.
+    recent: [usize; 2],
     /// Derivative of the committed state, as `numbers` lists it.
     pub state: Vec<f64>,
     /// Derivative of what the step begins from.
@@ -54,7 +55,7 @@ impl Varied {
             varied.courses.push(Course {
                 parameter,
                 levels: Vec::new(),
-                level: 0,
+                recent: [0; 2],
                 state: Vec::new(),
                 start: Vec::new(),
                 one_sided: false,
@@ -63,11 +64,6 @@ impl Varied {
             varied.level(varied.courses.len() - 1, 0, model)?;
         }
         Ok(varied)
-    }
-
-    /// How many steps there are.
-    pub fn levels() -> usize {
-        STEPS.len()
     }
 
     /// The neighbours of a parameter with the step of that place.
@@ -100,9 +96,28 @@ pub fn sensitivity_fault(
 }
 
 impl Course {
-    /// The neighbours with the step of a place that was made, and the derivatives of state and
-    /// start.
-    pub fn parts(&self, place: usize) -> (&Level, (&[f64], &[f64])) {
-        (&self.levels[place], (&self.state, &self.start))
+    /// The neighbours with the step of a place that was made, in a step that begins from `start`,
+    /// and the derivative of the state.
+    pub fn parts(&mut self, place: usize, start: &Start<'_>) -> (&Level, &[f64]) {
+        let level = &mut self.levels[place];
+        level.take_starts(start, &self.start);
+        (level, &self.state)
+    }
+
+    /// Place of the step to begin with: one increment that stands near a kink does not count. Now and
+    /// then a larger one is tried again.
+    pub fn first(&self, increment: usize) -> usize {
+        let own = self.recent[0].min(self.recent[1]);
+        if increment.is_multiple_of(AGAIN) { own.saturating_sub(1) } else { own }
+    }
+
+    /// Notes the place of a step that did.
+    pub fn note(&mut self, place: usize) {
+        self.recent = [place, self.recent[0]];
+    }
+
+    /// Notes how what a step begins from follows the parameter.
+    pub fn begin_step(&mut self) {
+        self.levels.iter_mut().for_each(Level::begin_step);
     }
 }

@@ -1,0 +1,79 @@
+//! What the neighbours of an increment stand in, and how far their forces tell of rates.
+
+use super::super::shown::Rows;
+use crate::newton::{Rates, Scratch};
+use crate::problem::Problem;
+use crate::sensitivity::beyond_rounding;
+use crate::state::State;
+
+/// What a bend of forces counts [1]: their own are stiff, and right to the square of it too.
+const FORCES: f64 = 2e-2;
+
+/// What the neighbours stand in, one behind the other, to be used again.
+#[derive(Default)]
+pub(in crate::run) struct Room {
+    /// The step that there is room for, and its contact points; none: 0.
+    pub(super) step: (usize, usize),
+    /// The converged trial, evaluated once more.
+    pub(super) base: Scratch,
+    /// Points that the first round does not look at.
+    pub(super) alone: Vec<bool>,
+    pub(super) sides: [Scratch; 4],
+    pub(super) before: [State; 4],
+    pub(super) after: [State; 4],
+    pub(super) rows: [Rows; 4],
+    pub(super) rates: Rates,
+    pub(super) residual: Vec<f64>,
+    pub(super) defects: Vec<f64>,
+    /// How forces follow, a dof each: those that nothing balances, and those of contact.
+    pub(super) forces: [Vec<f64>; 2],
+}
+
+impl Room {
+    /// Makes room for a step.
+    pub(super) fn fit(&mut self, plan: &Problem<'_>, step: usize) {
+        let own = (step, plan.contact.points.len());
+        if self.step != own {
+            self.step = own;
+            self.sides.iter_mut().chain([&mut self.base]).for_each(|side| side.fit_near(plan));
+        }
+    }
+
+    /// Part of the rates of forces by which those with one and two steps disagree [1], with the
+    /// forces that nothing balances among them: an error there is one of the rates.
+    pub(super) fn bend_of_forces(&self, plan: &Problem<'_>, (h, scale): (f64, f64)) -> f64 {
+        let sides = self.sides.each_ref().map(|side| &side.evaluation);
+        let [mut bent, mut rate, mut size] = [0.0_f64; 3];
+        for dof in 0..plan.dofs.len() {
+            let mut note = |values: [f64; 4]| {
+                let [a, b, c, d] = values;
+                let (near, wide) = ((c - b) / (2.0 * h), (d - a) / (4.0 * h));
+                rate = rate.max(as_force(plan, near, dof));
+                bent = bent.max(as_force(plan, near - wide, dof));
+                size = size.max(as_force(plan, b, dof));
+            };
+            note(sides.map(|own| own.unbalanced(dof)));
+            note(sides.map(|own| own.contact[dof]));
+        }
+        FORCES * beyond_rounding(bent, (rate, size), (h, scale))
+    }
+
+    /// Largest rate of a force that should be balanced and is not, in the largest rate of a
+    /// reaction or contact force.
+    pub(super) fn unbalanced(&self, plan: &Problem<'_>) -> f64 {
+        let [left, touching] = &self.forces;
+        let size = |list: &[f64], dof: usize| as_force(plan, list[dof], dof);
+        let constraints = &plan.constraints;
+        let largest = |most: f64, own: f64| most.max(own);
+        let open = constraints.dof_of_equation.iter().map(|&dof| size(left, dof));
+        let all = (0..left.len()).map(|dof| size(left, dof).max(size(touching, dof)));
+        let (open, all) = (open.fold(0.0, largest), all.fold(0.0, largest));
+        if all == 0.0 { 0.0 } else { open / all }
+    }
+}
+
+/// A force or moment as a force [F].
+fn as_force(plan: &Problem<'_>, value: f64, dof: usize) -> f64 {
+    let is_moment = plan.dofs.name(dof).1.is_rotation();
+    (if is_moment { value / plan.lever } else { value }).abs()
+}
