@@ -136,8 +136,12 @@ impl Contact {
             }
         };
         self.points[first..].iter_mut().for_each(|point| point.mortar = Some(own));
-        self.spread_nodes[place].clone_from(&self.slave_nodes[place]);
-        self.spread_nodes[place].sort_unstable();
+        // faces press on the nodes in the middle of their edges too, which have no points
+        let of_faces = pair.faces.iter().flat_map(|face| face.nodes.iter());
+        let all = &mut self.spread_nodes[place];
+        all.extend(self.slave_nodes[place].iter().chain(of_faces));
+        all.sort_unstable();
+        all.dedup();
     }
 
     /// Adds a point without its numbers.

@@ -95,7 +95,7 @@ impl Increment<'_> {
         (base, work, room): (&Scratch, &mut Scratch, &mut Room),
         observer: &mut dyn Observer,
     ) -> ControlFlow<Stop> {
-        let Ok((border, solver)) = self.linearise(base, work) else {
+        let Ok((border, solver)) = self.linearise(base, work, &mut room.least_force) else {
             varied.courses.iter_mut().for_each(|own| own.is_lost = true);
             return ControlFlow::Continue(());
         };
@@ -123,11 +123,13 @@ impl Increment<'_> {
         &self,
         base: &Scratch,
         work: &'w mut Scratch,
+        least_force: &mut f64,
     ) -> Result<(Border, &'w mut Solver), SolveError> {
         let (plan, committed) = (self.plan, self.old);
         let trial = base.trial(committed, self.target.dt);
         let place = tangent::Place { plan, committed, trial, evaluation: &base.evaluation };
         let mut values = tangent::assembled(&place);
+        *least_force = room::least_force(plan, &values, self.new);
         let mut border = Border::of(&place);
         border.lend(plan, &mut values);
         let equations = plan.constraints.equations();
@@ -214,7 +216,7 @@ impl Increment<'_> {
                 return Found::Nothing;
             }
             let before = (left, unbalanced);
-            unbalanced = room.unbalanced(self.plan);
+            unbalanced = room.unbalanced(self.plan, h);
             let Room { residual, defects, rates, .. } = &mut *room;
             let Linear { border, solver, .. } = &mut *linear;
             if border.solve(solver, (&mut *residual, &mut *defects)).is_err() {
@@ -249,7 +251,7 @@ impl Increment<'_> {
         }
         let is_both = weights.base == 0.0;
         let bend = match is_both {
-            true => bend(&room.after, self.new, (h, scale))
+            true => bend(&room.after, self.new, (h, scale), room.least_force)
                 .max(room.bend_of_forces(self.plan, (h, scale))),
             false => 0.0,
         };

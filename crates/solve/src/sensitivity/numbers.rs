@@ -75,10 +75,11 @@ const ROUNDING: f64 = 1e-11;
 
 /// Part of the rates by which differences with one and two steps `h` of a parameter of that scale
 /// disagree over four neighbours [1]; infinite where those of both sides of the base do: there is a
-/// kink between them.
-pub fn bend(states: &[State; 4], base: &State, (h, scale): (f64, f64)) -> f64 {
-    let lists: [fn(&State) -> &[f64]; 2] = [|own| &own.elements, |own| &own.reaction];
-    let of = lists.map(|list| {
+/// kink between them. Reactions below `least_force` are rounding.
+pub fn bend(states: &[State; 4], base: &State, (h, scale): (f64, f64), least_force: f64) -> f64 {
+    let lists: [(fn(&State) -> &[f64], f64); 2] =
+        [(|own| &own.elements, 0.0), (|own| &own.reaction, least_force)];
+    let of = lists.map(|(list, least)| {
         let [a, b, c, d] = states.each_ref().map(list);
         let [mut bent, mut apart, mut rate, mut size] = [0.0_f64; 4];
         for (i, own) in list(base).iter().enumerate() {
@@ -88,23 +89,23 @@ pub fn bend(states: &[State; 4], base: &State, (h, scale): (f64, f64)) -> f64 {
             apart = apart.max((c[i] - 2.0 * own + b[i]).abs() / h.abs());
             size = size.max(own.abs());
         }
-        let nothing = of_rounding(size, (h, scale));
+        let nothing = of_rounding(size, (h, scale), least);
         if apart > SIDES * (rate + size / scale) + nothing {
             return f64::INFINITY;
         }
-        beyond_rounding(bent, (rate, size), (h, scale))
+        beyond_rounding(bent, (rate, size), (h, scale), least)
     });
     of[0].max(of[1])
 }
 
-/// What rounding may make of the rates of numbers of that size.
-fn of_rounding(size: f64, (h, scale): (f64, f64)) -> f64 {
-    ROUNDING * size / h.abs() + NOTHING * size / scale
+/// What rounding may make of the rates of numbers of that size, which are known to `least`.
+fn of_rounding(size: f64, (h, scale): (f64, f64), least: f64) -> f64 {
+    (ROUNDING * size + least) / h.abs() + NOTHING * size / scale
 }
 
 /// The part of the rates that is more than rounding [1].
-pub fn beyond_rounding(bent: f64, (rate, size): (f64, f64), steps: (f64, f64)) -> f64 {
-    let beyond = (bent - of_rounding(size, steps)).max(0.0);
+pub fn beyond_rounding(bent: f64, (rate, size): (f64, f64), steps: (f64, f64), least: f64) -> f64 {
+    let beyond = (bent - of_rounding(size, steps, least)).max(0.0);
     if beyond == 0.0 { 0.0 } else { beyond / rate }
 }
 

@@ -1,8 +1,8 @@
 //! What the neighbours of an increment stand in, and how far their forces tell of rates.
 
-use super::super::shown::Rows;
 use crate::newton::{Rates, Scratch};
 use crate::problem::Problem;
+use super::super::shown::Rows;
 use crate::sensitivity::beyond_rounding;
 use crate::state::State;
 
@@ -11,7 +11,7 @@ const FORCES: f64 = 2e-2;
 
 /// What the neighbours stand in, one behind the other, to be used again.
 #[derive(Default)]
-pub(in crate::run) struct Room {
+pub struct Room {
     /// The step that there is room for, and its contact points; none: 0.
     pub(super) step: (usize, usize),
     /// The converged trial, evaluated once more.
@@ -27,6 +27,8 @@ pub(in crate::run) struct Room {
     pub(super) defects: Vec<f64>,
     /// How forces follow, a dof each: those that nothing balances, and those of contact.
     pub(super) forces: [Vec<f64>; 2],
+    /// What rounding makes of forces [F].
+    pub(super) least_force: f64,
 }
 
 impl Room {
@@ -55,12 +57,12 @@ impl Room {
             note(sides.map(|own| own.unbalanced(dof)));
             note(sides.map(|own| own.contact[dof]));
         }
-        FORCES * beyond_rounding(bent, (rate, size), (h, scale))
+        FORCES * beyond_rounding(bent, (rate, size), (h, scale), self.least_force)
     }
 
     /// Largest rate of a force that should be balanced and is not, in the largest rate of a
-    /// reaction or contact force.
-    pub(super) fn unbalanced(&self, plan: &Problem<'_>) -> f64 {
+    /// reaction or contact force, between neighbours with steps `h`.
+    pub(super) fn unbalanced(&self, plan: &Problem<'_>, h: f64) -> f64 {
         let [left, touching] = &self.forces;
         let size = |list: &[f64], dof: usize| as_force(plan, list[dof], dof);
         let constraints = &plan.constraints;
@@ -68,8 +70,28 @@ impl Room {
         let open = constraints.dof_of_equation.iter().map(|&dof| size(left, dof));
         let all = (0..left.len()).map(|dof| size(left, dof).max(size(touching, dof)));
         let (open, all) = (open.fold(0.0, largest), all.fold(0.0, largest));
-        if all == 0.0 { 0.0 } else { open / all }
+        if all <= self.least_force / h.abs() { 0.0 } else { open / all }
     }
+}
+
+/// What rounding makes of forces where parts moved as they did: of those that hold single equations
+/// where they are; where all rest, of what rounding of their places would be held by [F].
+pub(super) fn least_force(plan: &Problem<'_>, tangent: &[f64], state: &State) -> f64 {
+    let moved = |dof: usize| match plan.dofs.name(dof).1.is_rotation() {
+        true => state.displacement[dof].abs() * plan.lever,
+        false => state.displacement[dof].abs(),
+    };
+    let each = plan.constraints.dof_of_equation.iter().enumerate();
+    let held = each.map(|(equation, &dof)| {
+        let place = plan.pattern.position(equation, equation);
+        let stiffness = place.map_or(0.0, |place| tangent[place]);
+        let stiffness = match plan.dofs.name(dof).1.is_rotation() {
+            true => stiffness.abs() / (plan.lever * plan.lever),
+            false => stiffness.abs(),
+        };
+        stiffness * (moved(dof) + f64::EPSILON * plan.reach)
+    });
+    f64::EPSILON * held.fold(0.0, f64::max)
 }
 
 /// A force or moment as a force [F].
