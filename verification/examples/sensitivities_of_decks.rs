@@ -155,8 +155,9 @@ fn plain(deck: &Parametric, name: &str, value: f64) -> Option<Seen> {
     matches!(ending, Ending::Completed(_)).then_some(seen)
 }
 
-/// How far apart derivatives and differences are; what stands in the way.
-fn compare(name: &str, text: &str, value: f64) -> Result<String, String> {
+/// The run of a deck with its derivative by a parameter, and the runs beside it: four with the
+/// first step, four with the second; what stands in the way.
+fn runs(name: &str, text: &str, value: f64) -> Result<(Seen, Vec<Seen>), String> {
     let read = Job::read_text("deck", text, &ReadOptions::default());
     let said = || read.diagnostics.first().map(|own| own.message.clone()).unwrap_or_default();
     let model = read.model.as_ref().ok_or_else(|| format!("not read: {}", said()))?;
@@ -180,6 +181,12 @@ fn compare(name: &str, text: &str, value: f64) -> Result<String, String> {
     if near.iter().any(|own| own.times != seen.times) {
         return Err("other increments beside it".to_owned());
     }
+    Ok((seen, near))
+}
+
+/// How far apart derivatives and differences are; what stands in the way.
+fn compare(name: &str, text: &str, value: f64) -> Result<String, String> {
+    let (seen, near) = runs(name, text, value)?;
     let lost = seen.rows.len() - seen.rates.len();
     let sides = seen.rates.iter().filter(|(_, one)| *one).count();
     let mut line = format!("{lost} lost, {sides} one-sided of {};", seen.rows.len());

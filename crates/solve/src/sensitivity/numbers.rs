@@ -77,9 +77,8 @@ const ROUNDING: f64 = 1e-11;
 /// disagree over four neighbours [1]; infinite where those of both sides of the base do: there is a
 /// kink between them. Reactions below `least_force` are rounding.
 pub fn bend(states: &[State; 4], base: &State, (h, scale): (f64, f64), least_force: f64) -> f64 {
-    let lists: [(fn(&State) -> &[f64], f64); 2] =
-        [(|own| &own.elements, 0.0), (|own| &own.reaction, least_force)];
-    let of = lists.map(|(list, least)| {
+    let lists: [fn(&State) -> &[f64]; 2] = [|own| &own.elements, |own| &own.reaction];
+    let of = [(lists[0], 0.0), (lists[1], least_force)].map(|(list, least)| {
         let [a, b, c, d] = states.each_ref().map(list);
         let [mut bent, mut apart, mut rate, mut size] = [0.0_f64; 4];
         for (i, own) in list(base).iter().enumerate() {

@@ -1,8 +1,8 @@
 //! What the neighbours of an increment stand in, and how far their forces tell of rates.
 
+use super::super::shown::Rows;
 use crate::newton::{Rates, Scratch};
 use crate::problem::Problem;
-use super::super::shown::Rows;
 use crate::sensitivity::beyond_rounding;
 use crate::state::State;
 
