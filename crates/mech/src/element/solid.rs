@@ -15,6 +15,7 @@
 //! in the tangent. Generic in the dimension `D`, the nodes `N` and the points `P`.
 
 mod centre;
+mod enhancement;
 mod evaluate;
 mod gather;
 mod heat;
@@ -22,6 +23,7 @@ mod incompatible;
 mod kernel;
 mod mean_dilation;
 mod modes;
+mod pivoted;
 mod place;
 mod plane_stress;
 mod point;
