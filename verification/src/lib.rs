@@ -14,6 +14,7 @@
 mod cam;
 mod claim;
 mod curve;
+mod derivatives;
 mod interpolation;
 pub mod many_points;
 mod metrics;
@@ -28,6 +29,7 @@ pub mod strokes;
 pub use cam::Cam;
 pub use claim::{Chapter, Claim, Group, Outcome};
 pub use curve::{Curve, Row, run, run_on};
+pub use derivatives::{Held, derivatives};
 pub use interpolation::{Elasticity, Errors, Field, errors};
 pub use metrics::{
     Difference, differ, largest, largest_difference, peak, reversals, roughness, trapezoid, worst,
