@@ -21,7 +21,7 @@ mod varied;
 pub use border::{Border, leaves_hard_branch};
 pub use neighbour::{Level, Surroundings};
 pub use numbers::{
-    bend, beyond_rounding, combine_starts, combine_states, is_same_branch, move_start, move_state,
+    Bend, bend, combine_starts, combine_states, is_same_branch, move_start, move_state,
 };
 pub use parameter::{Parameter, SensitivityFault};
 pub use stencil::{OFFSETS, Side, Weights};

@@ -252,7 +252,7 @@ impl Increment<'_> {
         let is_both = weights.base == 0.0;
         let bend = match is_both {
             true => bend(&room.after, self.new, (h, scale), room.least_force)
-                .max(room.bend_of_forces(self.plan, (h, scale))),
+                .max(room.bend_of_forces(self.plan, linear.base, (h, scale))),
             false => 0.0,
         };
         if bend.is_finite() { Found::Branch { bend } } else { Found::Beyond }

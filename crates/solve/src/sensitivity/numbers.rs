@@ -66,46 +66,65 @@ pub fn is_same_branch(one: &PointState, other: &PointState) -> bool {
         && face(one) == face(other)
 }
 
-/// Part by which both sides may differ [1].
-const SIDES: f64 = 0.1;
 /// Rates that count as none, in the largest number over the scale of the parameter [1].
-const NOTHING: f64 = 1e-6;
+const NOTHING: f64 = 3e-8;
 /// What rounding may do to numbers, in parts of the largest [1].
 const ROUNDING: f64 = 1e-11;
 
-/// Part of the rates by which differences with one and two steps `h` of a parameter of that scale
-/// disagree over four neighbours [1]; infinite where those of both sides of the base do: there is a
-/// kink between them. Reactions below `least_force` are rounding.
-pub fn bend(states: &[State; 4], base: &State, (h, scale): (f64, f64), least_force: f64) -> f64 {
-    let lists: [fn(&State) -> &[f64]; 2] = [|own| &own.elements, |own| &own.reaction];
-    let of = [(lists[0], 0.0), (lists[1], least_force)].map(|(list, least)| {
-        let [a, b, c, d] = states.each_ref().map(list);
-        let [mut bent, mut apart, mut rate, mut size] = [0.0_f64; 4];
-        for (i, own) in list(base).iter().enumerate() {
-            let (near, wide) = ((c[i] - b[i]) / (2.0 * h), (d[i] - a[i]) / (4.0 * h));
-            rate = rate.max(near.abs());
-            bent = bent.max((near - wide).abs());
-            apart = apart.max((c[i] - 2.0 * own + b[i]).abs() / h.abs());
-            size = size.max(own.abs());
-        }
-        let nothing = of_rounding(size, (h, scale), least);
-        if apart > SIDES * (rate + size / scale) + nothing {
-            return f64::INFINITY;
-        }
-        beyond_rounding(bent, (rate, size), (h, scale), least)
+/// How far numbers at four neighbours and the base are from those of a smooth function: by their fourth
+/// difference, which is of the fourth power of the step where they are smooth, and of the first at
+/// a kink (docs/theory.md eq (13.6)).
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Bend {
+    /// Largest fourth difference.
+    apart: f64,
+    /// Largest difference of the neighbours next to the base.
+    across: f64,
+    /// Largest number.
+    size: f64,
+}
+
+impl Bend {
+    /// Looks at a number, from the lowest neighbour to the highest.
+    pub fn note(&mut self, [a, b, base, c, d]: [f64; 5]) {
+        self.apart = self.apart.max((a - 4.0 * b + 6.0 * base - 4.0 * c + d).abs());
+        self.across = self.across.max((c - b).abs());
+        self.size = self.size.max(base.abs());
+    }
+
+    /// The fourth difference over the step, in the largest rate [1], for steps `h` of a parameter of
+    /// that scale and numbers that are known to `least`; what rounding may make of it is taken off.
+    pub fn of_rates(self, (h, scale): (f64, f64), least: f64) -> f64 {
+        let of_rounding = ROUNDING * self.size + least + NOTHING * self.size * h.abs() / scale;
+        let beyond = (self.apart - of_rounding).max(0.0);
+        if beyond == 0.0 { 0.0 } else { beyond / (0.5 * self.across) }
+    }
+}
+
+/// The bend of histories of elements, of reactions, of which those below `least_force` are
+/// rounding, and of energies [1].
+pub fn bend(states: &[State; 4], base: &State, steps: (f64, f64), least_force: f64) -> f64 {
+    let least_energy = least_force * base.displacement.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
+    let [a, b, c, d] = states;
+    let all = [a, b, base, c, d];
+    let energies = all.map(|own| {
+        let energy = &own.energy;
+        let stored = [energy.strain_energy, energy.contact_energy, energy.friction_elastic];
+        [stored, [energy.friction_dissipation, energy.material_dissipation, 0.0]]
     });
-    of[0].max(of[1])
-}
-
-/// What rounding may make of the rates of numbers of that size, which are known to `least`.
-fn of_rounding(size: f64, (h, scale): (f64, f64), least: f64) -> f64 {
-    (ROUNDING * size + least) / h.abs() + NOTHING * size / scale
-}
-
-/// The part of the rates that is more than rounding [1].
-pub fn beyond_rounding(bent: f64, (rate, size): (f64, f64), steps: (f64, f64), least: f64) -> f64 {
-    let beyond = (bent - of_rounding(size, steps, least)).max(0.0);
-    if beyond == 0.0 { 0.0 } else { beyond / rate }
+    let lists = [
+        (all.map(|own| &own.elements[..]), 0.0),
+        (all.map(|own| &own.reaction[..]), least_force),
+        (energies.each_ref().map(|own| own.as_flattened()), least_energy),
+    ];
+    let of = lists.map(|(of, least)| {
+        let mut bend = Bend::default();
+        for i in 0..of[2].len() {
+            bend.note(of.map(|list| list[i]));
+        }
+        bend.of_rates(steps, least)
+    });
+    of.into_iter().fold(0.0, f64::max)
 }
 
 fn each_of_state(state: &mut State, call: &mut dyn FnMut(&mut f64)) {

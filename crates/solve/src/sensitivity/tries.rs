@@ -14,14 +14,13 @@ use super::stencil::Side;
 /// more the stiffer a part is one way than another; rounding grows with their inverse; smaller ones
 /// find back to the branch of the base.
 pub const STEPS: [f64; 5] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7];
-/// Part by which differences with one and two steps may disagree: they are right to the square of
-/// it [1].
-const SMOOTH: f64 = 1e-5;
+/// How much answers may bend [1], eq (13.6): at a kink the derivative is wrong by half of it at most.
+const SMOOTH: f64 = 1e-6;
 /// The same where no step shows less, because of rounding [1].
-const ROUGH: f64 = 1e-3;
-/// What a step of a tenth leaves of a bend at most, where it is of truncation [1]; a hundredth as a
-/// rule. Where more is left it is of rounding, which is less with the larger step.
-const FALLS: f64 = 0.1;
+const ROUGH: f64 = 1e-4;
+/// By how much a bend grows with a step of a tenth where it is of rounding, at least [1]; tenfold as a
+/// rule. That of a smooth function falls a thousandfold, that of a kink at the base stays.
+const GROWS: f64 = 2.0;
 /// Places of the steps with which one side is asked.
 const ONE_SIDED: [usize; 2] = [2, 4];
 
@@ -43,8 +42,10 @@ pub struct Try {
 pub struct Tries {
     /// Place of the next step that is asked on both sides.
     place: usize,
-    /// The one that bent least, and by how much.
-    best: Option<(usize, f64)>,
+    /// The one before, and how much it bent.
+    before: Option<(usize, f64)>,
+    /// The one that bent least, where smaller ones show rounding.
+    best: Option<usize>,
     /// How many were asked on one side.
     sides: usize,
 }
@@ -52,7 +53,7 @@ pub struct Tries {
 impl Tries {
     /// Those that begin with the step at a place.
     pub fn from(place: usize) -> Self {
-        Self { place, best: None, sides: 0 }
+        Self { place, before: None, best: None, sides: 0 }
     }
 
     /// Whether a try is taken whose answers bend by so much.
@@ -60,13 +61,14 @@ impl Tries {
         if tried.side != Side::Both || tried.smooth > SMOOTH {
             return bend <= tried.smooth;
         }
-        if self.best.is_some_and(|(_, least)| least <= ROUGH && bend > FALLS * least) {
-            self.place = STEPS.len();
+        if let Some((place, before)) = self.before
+            && before <= ROUGH
+            && bend > GROWS * before
+        {
+            (self.best, self.place) = (Some(place), STEPS.len());
             return false;
         }
-        if bend > SMOOTH {
-            self.best = Some((tried.place, bend));
-        }
+        self.before = Some((tried.place, bend));
         bend <= SMOOTH
     }
 }
@@ -80,7 +82,7 @@ impl Iterator for Tries {
             self.place += 1;
             return Some(of(self.place - 1, Side::Both, SMOOTH));
         }
-        if let Some((place, _)) = self.best.take().filter(|(_, bend)| *bend <= ROUGH) {
+        if let Some(place) = self.best.take() {
             return Some(of(place, Side::Both, ROUGH));
         }
         self.sides += 1;
@@ -100,23 +102,39 @@ impl Iterator for Tries {
 mod tests {
     use super::*;
 
-    /// Requirement: steps become smaller while that makes answers smoother; where it does not, the
-    /// smoothest is taken; then one side, the last as it is.
-    #[test]
-    fn the_smoothest_step_is_taken() {
+    /// The tries of a course whose answers bend as listed, until one is taken or all were asked on both
+    /// sides.
+    fn after(bends: &[f64]) -> Tries {
         let mut tries = Tries::from(0);
-        // the second still falls, the third shows rounding, though it is small enough
-        for (place, bend) in [4e-4, 2e-5, 7e-6].into_iter().enumerate() {
+        for (place, &bend) in bends.iter().enumerate() {
             let own = tries.next().filter(|own| own.side == Side::Both);
             assert_eq!(own.map(|own| own.place), Some(place));
             assert!(own.is_some_and(|own| !tries.accepts(own, bend)));
         }
+        tries
+    }
+
+    fn are_one_sided(left: &[Try]) -> bool {
+        left.len() == 2 * ONE_SIDED.len() + 1
+            && left.iter().all(|own| own.side != Side::Both)
+            && left.iter().filter(|own| own.is_last).count() == 1
+    }
+
+    /// Requirement: steps become smaller while that makes answers smoother; where it does not, the
+    /// smoothest is taken; then one side, the last as it is.
+    #[test]
+    fn the_smoothest_step_is_taken() {
+        let mut tries = after(&[4e-4, 2e-6, 9e-6]);
         let taken = tries.next();
         assert_eq!(taken.map(|own| own.place), Some(1));
-        assert!(taken.is_some_and(|own| tries.accepts(own, 2e-5)));
-        let left: Vec<Try> = tries.collect();
-        assert_eq!(left.len(), 2 * ONE_SIDED.len() + 1);
-        assert!(left.iter().all(|own| own.side != Side::Both));
-        assert_eq!(left.iter().filter(|own| own.is_last).count(), 1);
+        assert!(taken.is_some_and(|own| tries.accepts(own, 2e-6)));
+        assert!(are_one_sided(&tries.collect::<Vec<_>>()));
+    }
+
+    /// Requirement: answers that bend as much with every step have a kink at the base: one side is asked.
+    #[test]
+    fn a_kink_is_not_taken_for_rounding() {
+        let tries = after(&[3e-5; STEPS.len()]);
+        assert!(are_one_sided(&tries.collect::<Vec<_>>()));
     }
 }

@@ -3,11 +3,8 @@
 use super::super::shown::Rows;
 use crate::newton::{Rates, Scratch};
 use crate::problem::Problem;
-use crate::sensitivity::beyond_rounding;
+use crate::sensitivity::Bend;
 use crate::state::State;
-
-/// What a bend of forces counts [1]: their own are stiff, and right to the square of it too.
-const FORCES: f64 = 2e-2;
 
 /// What the neighbours stand in, one behind the other, to be used again.
 #[derive(Default)]
@@ -41,23 +38,23 @@ impl Room {
         }
     }
 
-    /// Part of the rates of forces by which those with one and two steps disagree [1], with the
-    /// forces that nothing balances among them: an error there is one of the rates.
-    pub(super) fn bend_of_forces(&self, plan: &Problem<'_>, (h, scale): (f64, f64)) -> f64 {
-        let sides = self.sides.each_ref().map(|side| &side.evaluation);
-        let [mut bent, mut rate, mut size] = [0.0_f64; 3];
+    /// The bend of forces, those that nothing balances among them [1]: an error there is one of the
+    /// rates.
+    pub(super) fn bend_of_forces(
+        &self,
+        plan: &Problem<'_>,
+        base: &Scratch,
+        steps: (f64, f64),
+    ) -> f64 {
+        let [a, b, c, d] = self.sides.each_ref();
+        let all = [a, b, base, c, d].map(|side| &side.evaluation);
+        let mut bend = Bend::default();
         for dof in 0..plan.dofs.len() {
-            let mut note = |values: [f64; 4]| {
-                let [a, b, c, d] = values;
-                let (near, wide) = ((c - b) / (2.0 * h), (d - a) / (4.0 * h));
-                rate = rate.max(as_force(plan, near, dof));
-                bent = bent.max(as_force(plan, near - wide, dof));
-                size = size.max(as_force(plan, b, dof));
-            };
-            note(sides.map(|own| own.unbalanced(dof)));
-            note(sides.map(|own| own.contact[dof]));
+            let per = if plan.dofs.name(dof).1.is_rotation() { plan.lever } else { 1.0 };
+            bend.note(all.map(|own| own.unbalanced(dof) / per));
+            bend.note(all.map(|own| own.contact[dof] / per));
         }
-        FORCES * beyond_rounding(bent, (rate, size), (h, scale), self.least_force)
+        bend.of_rates(steps, self.least_force)
     }
 
     /// Largest rate of a force that should be balanced and is not, in the largest rate of a
