@@ -6,7 +6,7 @@
 //!              x----o----o      f' = ( -3 f(0) + 4 f(h) - f(2h) ) / 2 h
 //! ```
 //!
-//! docs/theory.md eqs (13.5) and (13.7).
+//! docs/theory.md eqs (13.5) and (13.8).
 
 /// Where the neighbours stand, in steps.
 pub const OFFSETS: [f64; 4] = [-2.0, -1.0, 1.0, 2.0];
