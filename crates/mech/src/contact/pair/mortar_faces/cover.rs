@@ -11,8 +11,11 @@ use super::face_places::FacePlaces;
 use super::places::{dot, sub};
 use super::shapes::{MOST_NODES, pieces};
 
-/// Cosine of the angle between normals up to which a piece faces another one [1].
+/// Cosine of the angle between normals up to which a piece faces another one [1]; steeper ones hide
+/// what is behind them.
 const STEEP: f64 = 0.2;
+/// The same up to which a piece is seen at all: from there on it is a line.
+const EDGEWISE: f64 = 1e-3;
 /// Part of its own area that an overlap must have in common with a nearer one to be hidden [1].
 const HIDDEN: f64 = 0.5;
 /// Part of a piece by which the areas of overlaps may exceed it before any is hidden [1].
@@ -82,7 +85,7 @@ impl Cover {
     ) {
         let Some(plane) = master.plane(master_piece) else { return };
         let across = dot(plane.normal, window.normal);
-        if across.abs() < STEEP {
+        if across.abs() < EDGEWISE {
             return;
         }
         let of_master = master.piece(master_piece);
@@ -94,7 +97,7 @@ impl Cover {
         let (from, own) = (of_master.nodes[0], slave.piece(piece).nodes[0]);
         let height = dot(sub(own, upon), window.normal);
         let gap = dot(sub(from, upon), plane.normal) / across - height;
-        self.seen.push(Seen { overlap, polygon, gap, faces: across < 0.0 });
+        self.seen.push(Seen { overlap, polygon, gap, faces: across < -STEEP });
     }
 
     fn leave_out_far(&mut self, window: &Window) {
@@ -105,21 +108,33 @@ impl Cover {
 
     /// Leaves out what is behind nearer pieces.
     fn hide(&mut self, window: &Window) {
-        let whole: f64 = self.seen.iter().map(|own| own.polygon.area()).sum();
-        if whole <= (1.0 + ROUNDING) * window.area {
+        if self.is_one_sheet(window) {
             return;
         }
         self.seen.sort_by(|a, b| a.gap.abs().total_cmp(&b.gap.abs()));
         let mut kept = 0;
         for place in 0..self.seen.len() {
             let own = self.seen[place];
-            let hidden =
-                |other: &Seen| own.polygon.common(&other.polygon) > HIDDEN * own.polygon.area();
-            if !self.seen[..kept].iter().any(hidden) {
+            // pieces that are kept tile what they cover, so that common areas may be added
+            let nearer = self.seen[..kept].iter();
+            let hidden: f64 = nearer.map(|other| own.polygon.common(&other.polygon)).sum();
+            if hidden <= HIDDEN * own.polygon.area() {
                 self.seen[kept] = own;
                 kept += 1;
             }
         }
         self.seen.truncate(kept);
+    }
+
+    /// Whether no piece can be behind another one: all face the slave, are about as far, and do not cover
+    /// more than there is.
+    fn is_one_sheet(&self, window: &Window) -> bool {
+        let gaps = self.seen.iter().map(|own| own.gap.abs());
+        let (near, far) =
+            gaps.fold((f64::INFINITY, 0.0), |(near, far), own| (own.min(near), own.max(far)));
+        let whole: f64 = self.seen.iter().map(|own| own.polygon.area()).sum();
+        self.seen.iter().all(|own| own.faces)
+            && far - near <= window.area.sqrt()
+            && whole <= (1.0 + ROUNDING) * window.area
     }
 }
