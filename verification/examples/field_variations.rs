@@ -37,8 +37,7 @@ impl Observer for Watch {
                     self.imbalance = self.imbalance.max(size);
                 }
                 let energy = frame.energy;
-                let all =
-                    [energy.external_work, energy.strain_energy, energy.friction_dissipation];
+                let all = [energy.external_work, energy.strain_energy, energy.friction_dissipation];
                 self.energy = all.iter().fold(self.energy, |most, part| most.max(part.abs()));
                 self.missing = self.missing.max(energy.balance.abs());
             }

@@ -42,7 +42,7 @@ pub struct SlavePoint {
 
 impl SlavePoint {
     /// Whether it is a slave node that meets its master by itself.
-    pub(super) fn is_node(&self) -> bool {
+    pub(crate) fn is_node(&self) -> bool {
         !self.is_integration_point() && self.mortar.is_none()
     }
 
