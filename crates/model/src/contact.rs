@@ -21,6 +21,8 @@ pub struct ContactPair {
     /// Contact elements; their nodes are the slave nodes and their undeformed
     /// lengths the tributary areas.
     pub elements: Vec<ContactElement>,
+    /// Whether these are faces of solids, the material on the left of each.
+    pub of_solids: bool,
     /// In space, the faces that the slave nodes belong to; their shares are the
     /// tributary areas.
     pub faces: Vec<ContactFace>,

@@ -184,6 +184,7 @@ mod tests {
             origin: at,
         };
         let pair = ContactPair {
+            of_solids: false,
             adjust: slideline_model::Adjust::Nothing,
             corners: Vec::new(),
             slaves: Vec::new(),

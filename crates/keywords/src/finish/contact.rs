@@ -130,6 +130,7 @@ fn pair(surface: &Surface, strayed: bool, in_pair: &mut HashMap<usize, Span>, dr
             slaves: Vec::new(),
             faces: Vec::new(),
             elements,
+            of_solids: false,
             master,
             interaction,
             origin,

@@ -45,6 +45,7 @@ fn pair(nodes: &[NodeIndex], master: Master) -> ContactPair {
         origin: Span::default(),
     });
     ContactPair {
+        of_solids: false,
         name: "C".into(),
         formulation: Formulation::NodeToSurface,
         vocabulary: crate::Vocabulary::Elements,

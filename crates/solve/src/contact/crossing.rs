@@ -173,7 +173,9 @@ impl Contact {
                     let positions = (&chains[0].nodes[range.clone()], &chains[1].nodes[range]);
                     let Some(tree) = chains[0].face_tree(pair) else { continue };
                     near_way(tree, (way[0], way[1]), near);
-                    let faces = near.iter().copied();
+                    let outlook = self.outlook(point, &u[1]);
+                    let meets = |&face: &usize| outlook.meets(mesh.normal(face, positions.1));
+                    let faces = near.iter().copied().filter(meets);
                     cross_faces(mesh, positions, faces, (way[0], way[1]), |crossing| {
                         let (normal, inward) = (crossing.normal, crossing.inward);
                         let fraction = share(crossing.fraction);

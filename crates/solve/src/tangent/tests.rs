@@ -120,6 +120,7 @@ pub(crate) fn model(line: bool) -> Model {
     let formulation = Formulation::NodeToSurface;
     let origin = AT;
     let pair = ContactPair {
+        of_solids: false,
         adjust: slideline_model::Adjust::Nothing,
         corners: Vec::new(),
         slaves: Vec::new(),
