@@ -219,6 +219,9 @@ pub struct RigidSurface {
     /// Segments, each from the end of the one before; the outward normal
     /// stands 90 degrees counter-clockwise of travel.
     pub segments: Vec<SurfaceSegment>,
+    /// Part of a slave face, or of an end segment that is shorter, by which open ends are prolonged
+    /// for the nodes of solids [1].
+    pub extension: f64,
     /// The card.
     pub origin: Span,
 }

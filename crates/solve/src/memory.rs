@@ -181,6 +181,7 @@ mod tests {
             reference: 0,
             start: [0.0; 2],
             segments: vec![],
+            extension: 0.0,
             origin: at,
         };
         let pair = ContactPair {

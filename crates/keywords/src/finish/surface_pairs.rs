@@ -320,7 +320,10 @@ fn at_nodes(
         }
     };
     let master = match master {
-        Found::Rigid(surface) => Master::RigidSurface(surface),
+        Found::Rigid(surface) => {
+            let extension = if of_solids { pairing.extension } else { 0.0 };
+            Master::RigidSurface(slideline_model::RigidSurface { extension, ..surface })
+        }
         Found::Facets(facets) => {
             Master::SlideLine(slide_line(pairing, &sides.master, (&facets, &elements), draft)?)
         }

@@ -52,6 +52,7 @@ fn contact() -> ContactPair {
             reference: 0,
             start: [0.0; 2],
             segments: vec![],
+            extension: 0.0,
             origin: AT,
         }),
         interaction: Interaction {

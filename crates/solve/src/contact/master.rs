@@ -108,13 +108,15 @@ impl MasterSurface {
         }
     }
 
-    /// The master of a rigid surface on the body of its node.
+    /// The master of a rigid surface on the body of its node; faces of the slave are so long [L].
     pub fn body(
         model: &Model,
         dofs: &DofMap,
         surface: &slideline_model::RigidSurface,
+        slave: f64,
     ) -> MasterSurface {
-        let Some(placed) = placed(surface) else { return MasterSurface::Nothing };
+        let Some(mut placed) = placed(surface) else { return MasterSurface::Nothing };
+        placed.prolong(surface.extension, slave);
         MasterSurface::Body {
             dofs: rigid_dofs(dofs, surface.reference),
             reference: model.nodes.get(surface.reference).position,

@@ -52,7 +52,7 @@ impl Contact {
             contact.laws.push(laws::laws(model, pair, length, users));
             contact.keeps.push(pair.interaction.no_separation);
             let master = match &pair.master {
-                Master::RigidSurface(surface) => MasterSurface::body(model, dofs, surface),
+                Master::RigidSurface(surface) => MasterSurface::body(model, dofs, surface, length),
                 Master::SlideLine(line) => {
                     MasterSurface::chain(model, dofs, line, contact.chain_nodes)
                 }
@@ -213,11 +213,11 @@ impl Contact {
         self.take_points(model);
         self.take_segments(model);
         for (index, pair) in model.contact_pairs.iter().enumerate() {
-            if !self.take_master(model, dofs, index) {
+            let length = mean_length(model, pair);
+            if !self.take_master(model, dofs, (index, length)) {
                 return Err(index);
             }
             self.take_axes(model, index);
-            let length = mean_length(model, pair);
             self.spacing[index] = laws::spacing(model, length, &self.masters[index]);
             self.take_laws((model, pair), (index, length), users);
         }

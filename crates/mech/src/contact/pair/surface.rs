@@ -43,6 +43,15 @@ impl RigidSurface {
         whole
     }
 
+    /// Prolongs open ends straight by `extension` of their segments, or of `slave` [L] where that is
+    /// shorter.
+    pub fn prolong(&mut self, extension: f64, slave: f64) {
+        if extension > 0.0 && self.period.is_none() {
+            rigid::prolong(&mut self.segments, |end| extension * end.length().min(slave));
+            self.measure();
+        }
+    }
+
     /// Arc coordinates, bounds and noses of the segments.
     fn measure(&mut self) {
         let mut total = 0.0;
