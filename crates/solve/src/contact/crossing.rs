@@ -185,8 +185,12 @@ impl Contact {
                 }
                 MasterSurface::Body { surface, .. } => {
                     let body = |end: usize| self.masters[pair].placed_body(&u[end]);
+                    let outlook = self.outlook(point, &u[1]).turned(|n| body(1).turn_back(n));
                     let local = [0, 1].map(|end| body(end).to_body(way[end]));
                     surface.crossings((local[0], local[1]), |crossing, along| {
+                        if !outlook.meets(crossing.normal) {
+                            return;
+                        }
                         let t = crossing.fraction;
                         let at = between(local[0], local[1], t);
                         let (normal, inward) = (crossing.normal, crossing.inward);

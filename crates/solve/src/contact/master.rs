@@ -192,7 +192,8 @@ impl MasterSurface {
         match self {
             Self::Nothing | Self::Faces { .. } => None,
             Self::Body { surface, .. } => {
-                surface.closest(&self.placed_body(u), point).map(Facing::Surface)
+                let at = (point, outlook);
+                surface.closest_to_node(&self.placed_body(u), at).map(Facing::Surface)
             }
             Self::Line { .. } => {
                 self.piece((positions, pair), (point, seat, outlook)).map(Facing::Piece)

@@ -12,7 +12,7 @@ use crate::dofs::{DofMap, Translations};
 use slideline_mech::contact::search::outlook::Outlook;
 use slideline_mech::contact::search::sharp;
 use slideline_mech::vector::{cross, size, sub};
-use slideline_model::{ContactPair, Formulation, Model, NodeIndex};
+use slideline_model::{ContactPair, Model, NodeIndex};
 use std::collections::HashMap;
 
 /// A face of a slave surface by its corners: nodes, undeformed positions [L], dofs.
@@ -48,9 +48,6 @@ impl Contact {
     pub(super) fn add_slave_faces(&mut self, dofs: &DofMap, place: usize, pair: &ContactPair) {
         let first = self.slave_faces.len();
         let corner = |&node: &NodeIndex| (node, [0.0; 3], dofs.translations(node));
-        if pair.formulation != Formulation::NodeToSurface {
-            return;
-        }
         if pair.of_solids {
             let elements = pair.elements.iter().map(|element| &element.nodes[..]);
             let faces =
@@ -69,7 +66,7 @@ impl Contact {
             }
         }
         for point in self.points.iter_mut().filter(|point| point.pair == place) {
-            point.faces = of_node.remove(&point.node).unwrap_or_default();
+            point.faces = of_node.get(&point.node).cloned().unwrap_or_default();
         }
     }
 
@@ -85,6 +82,7 @@ impl Contact {
                 sharp::is_sharp(nodes.iter().map(|(at, _)| *at))
             }
             MasterSurface::Faces { mesh, .. } => mesh.is_sharp(),
+            MasterSurface::Body { surface, .. } => surface.is_sharp(),
             _ => false,
         }));
     }

@@ -18,6 +18,7 @@ pub mod rigid;
 pub mod segment;
 pub mod sharp;
 pub mod sharp_faces;
+pub mod sharp_rigid;
 pub mod sweep;
 pub mod swept;
 pub mod tree;

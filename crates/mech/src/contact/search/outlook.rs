@@ -44,6 +44,14 @@ impl Outlook {
         }
     }
 
+    /// The same with all directions turned.
+    pub fn turned(mut self, turn: impl Fn(Vector) -> Vector) -> Self {
+        for normal in &mut self.normals[..self.count] {
+            *normal = turn(*normal);
+        }
+        self
+    }
+
     /// Whether no face is known.
     pub fn is_everywhere(&self) -> bool {
         self.count == 0

@@ -44,7 +44,7 @@ pub fn is_sharp(mut positions: impl Iterator<Item = [f64; 3]>) -> bool {
 }
 
 /// Whether an edge between these two ways is a sharp one; the outside is on their left.
-fn turns_away(before: Point, behind: Point) -> bool {
+pub(super) fn turns_away(before: Point, behind: Point) -> bool {
     cross(before, behind).atan2(dot(before, behind)) < -SHARP
 }
 
