@@ -21,6 +21,8 @@ pub struct ContactPair {
     /// Contact elements; their nodes are the slave nodes and their undeformed
     /// lengths the tributary areas.
     pub elements: Vec<ContactElement>,
+    /// Whether these are faces of solids, the material on the left of each.
+    pub of_solids: bool,
     /// In space, the faces that the slave nodes belong to; their shares are the
     /// tributary areas.
     pub faces: Vec<ContactFace>,
@@ -217,6 +219,9 @@ pub struct RigidSurface {
     /// Segments, each from the end of the one before; the outward normal
     /// stands 90 degrees counter-clockwise of travel.
     pub segments: Vec<SurfaceSegment>,
+    /// Part of a slave face, or of an end segment that is shorter, by which open ends are prolonged
+    /// for the nodes of solids [1].
+    pub extension: f64,
     /// The card.
     pub origin: Span,
 }

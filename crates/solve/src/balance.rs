@@ -11,7 +11,7 @@ use crate::observe::results::{ContactRow, PairRow, Status};
 use crate::problem::Problem;
 use crate::state::{PointState, State};
 use slideline_mech::vector::cross;
-use slideline_model::Dof;
+use slideline_model::{Dof, NodeIndex};
 
 /// Fills a row for every pair of a state that was just committed; `closed`
 /// says which contact rows were closed before; `sums` is scratch.
@@ -38,6 +38,7 @@ pub fn pair_rows(
         let kinematics = work.evaluation.kinematics.at(place);
         match point.is_spread() {
             true => row.press_faces(plan, state, (point.pair, now), &kinematics),
+            false if point.is_node() => row.press_node(plan, point.node, now, &kinematics),
             false => row.press(now),
         }
         let law = &plan.contact.laws_of(point.pair, now).normal;
@@ -62,6 +63,33 @@ impl PairRow {
         let pressed = point.normal.map(|normal| p * normal);
         let rubbed = |k: usize| -tau[0] * first[k] - tau[1] * second[k];
         self.act(point.position, [pressed, std::array::from_fn(rubbed)]);
+        self.cover(point);
+    }
+
+    /// The same of a slave node: the force as it is assembled at it, which on a master whose corners
+    /// are smoothed is not quite along its normal.
+    fn press_node(
+        &mut self,
+        plan: &Problem<'_>,
+        slave: NodeIndex,
+        point: &PointState,
+        kinematics: &PointRows<'_>,
+    ) {
+        let (normal, tangential) = (point.area * point.pressure, point.area * point.traction);
+        let rows = kinematics.rows;
+        let mut forces = [[0.0; 3]; 2];
+        for (k, &own) in rows.unknowns.iter().enumerate() {
+            let (node, dof) = plan.dofs.name(own);
+            if node != slave || dof.is_rotation() {
+                continue;
+            }
+            let axis = dof as usize % 3;
+            // rows are by overclosure, which falls along the force
+            forces[0][axis] -= normal * rows.normal()[k];
+            let rubbed = (0..rows.directions()).map(|way| tangential[way] * rows.force(way)[k]);
+            forces[1][axis] -= rubbed.sum::<f64>();
+        }
+        self.act(point.position, forces);
         self.cover(point);
     }
 

@@ -24,6 +24,7 @@ mod master;
 mod mortar;
 mod mortar_faces;
 mod operator;
+mod outlook;
 mod pairs;
 mod placing;
 mod positions;

@@ -181,9 +181,11 @@ mod tests {
             reference: 0,
             start: [0.0; 2],
             segments: vec![],
+            extension: 0.0,
             origin: at,
         };
         let pair = ContactPair {
+            of_solids: false,
             adjust: slideline_model::Adjust::Nothing,
             corners: Vec::new(),
             slaves: Vec::new(),

@@ -130,6 +130,7 @@ fn pair(surface: &Surface, strayed: bool, in_pair: &mut HashMap<usize, Span>, dr
             slaves: Vec::new(),
             faces: Vec::new(),
             elements,
+            of_solids: false,
             master,
             interaction,
             origin,
@@ -189,6 +190,7 @@ fn master(surface: &Surface, reference: Option<u64>, draft: &mut Draft) -> Optio
             reference: draft.model.nodes.find(reference?)?,
             start: *start,
             segments: segments.clone(),
+            extension: 0.0,
             origin: surface.origin,
         })),
         Shape::Line { nodes, smooth, extension } => Some(Master::SlideLine(SlideLine {

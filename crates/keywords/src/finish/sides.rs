@@ -27,6 +27,8 @@ pub(super) fn is_of_solids(side: &Found) -> bool {
 #[derive(Default)]
 pub(super) struct Slaves {
     pub elements: Vec<ContactElement>,
+    /// Whether these are faces of solids.
+    pub of_solids: bool,
     pub faces: Vec<ContactFace>,
     /// The nodes of the faces that are slaves; empty: all.
     pub nodes: Vec<NodeIndex>,

@@ -83,7 +83,7 @@ pub(super) fn spread(
             return refuse(pairing.master.span, message, help, draft);
         }
     };
-    Some((Slaves { elements, ..Slaves::default() }, master))
+    Some((Slaves { elements, of_solids: true, ..Slaves::default() }, master))
 }
 
 /// Contact spread over the faces of a slave in space.

@@ -195,6 +195,7 @@ fn put_together(
         formulation,
         vocabulary,
         elements: slaves.elements,
+        of_solids: slaves.of_solids,
         faces: slaves.faces,
         slaves: slaves.nodes,
         corners,
@@ -291,6 +292,7 @@ fn at_nodes(
         Found::Swept(surface) => return at_nodes_in_space(pairing, (slave, surface), draft),
         plane => plane,
     };
+    let mut of_solids = false;
     let elements = match slave {
         Found::Faces(_) => {
             let message = format!("{slave_name} is made of faces in space, {master_name} is not");
@@ -298,7 +300,10 @@ fn at_nodes(
                         with their faces";
             return refuse(pairing.master.span, message, help, draft);
         }
-        Found::Facets(facets) => between_nodes(&facets),
+        Found::Facets(facets) => {
+            of_solids = facets.iter().all(|facet| facet.face.is_some());
+            between_nodes(&facets)
+        }
         Found::Nodes(nodes) if nodes.len() < 2 => {
             let message = format!("the slave surface {slave_name} has one node, which has no area");
             let help = "name its neighbours too: areas come from the distances between them";
@@ -315,7 +320,10 @@ fn at_nodes(
         }
     };
     let master = match master {
-        Found::Rigid(surface) => Master::RigidSurface(surface),
+        Found::Rigid(surface) => {
+            let extension = if of_solids { pairing.extension } else { 0.0 };
+            Master::RigidSurface(slideline_model::RigidSurface { extension, ..surface })
+        }
         Found::Facets(facets) => {
             Master::SlideLine(slide_line(pairing, &sides.master, (&facets, &elements), draft)?)
         }
@@ -325,7 +333,7 @@ fn at_nodes(
             return refuse(pairing.master.span, message, help, draft);
         }
     };
-    Some((Slaves { elements, ..Slaves::default() }, master))
+    Some((Slaves { elements, of_solids, ..Slaves::default() }, master))
 }
 
 /// Contact integrated along beams that meet an analytical surface.

@@ -259,7 +259,7 @@ fn rigid(
 ) -> Option<RigidSurface> {
     let (_, reference) = owner(surface, user, draft)?;
     let (segments, origin) = (segments.to_vec(), surface.origin);
-    Some(RigidSurface { reference, start, segments, origin })
+    Some(RigidSurface { reference, start, segments, extension: 0.0, origin })
 }
 
 /// Stretches between the nodes of a node surface, for their tributary areas:

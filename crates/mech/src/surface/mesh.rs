@@ -50,6 +50,8 @@ pub struct FaceMesh {
     faces: Vec<MeshFace>,
     joined: Vec<Joined>,
     swept: Option<Swept>,
+    /// Whether two neighbours meet at a crease.
+    is_sharp: bool,
     /// Where friction has coefficients along the axes of the surface: how axis 1 stands to the first
     /// tangent in the middle of each face; empty else [1].
     axes: Vec<Bearing>,
@@ -72,7 +74,9 @@ impl FaceMesh {
         let around = faces_around(&faces);
         let normals: Vec<_> =
             faces.iter().map(|face| normal(face, |node| reference[node])).collect();
-        let joins = |a: usize, b: usize| dot(normals[a], normals[b]) > CREASE;
+        let joins = |a: usize, b: usize| !is_crease(normals[a], normals[b]);
+        let behind = |face: usize| neighbours[face].iter().flatten().copied();
+        let is_sharp = (0..faces.len()).any(|face| behind(face).any(|other| !joins(face, other)));
         let joined = (0..faces.len())
             .map(|own| {
                 let smoothed = smooth && faces[own].nodes.len() == faces[own].cell.faces.len();
@@ -99,7 +103,7 @@ impl FaceMesh {
                 Joined { neighbours: neighbours[own], around: beside, stencil, stars }
             })
             .collect();
-        Self { faces, joined, swept: None, axes: Vec::new() }
+        Self { faces, joined, swept: None, is_sharp, axes: Vec::new() }
     }
 
     /// An analytical surface on the four markers of its body.
@@ -116,6 +120,7 @@ impl FaceMesh {
             faces: charts.clone().map(|_| MeshFace { cell: &QUAD4, nodes: markers() }).collect(),
             joined: charts.map(|_| joined()).collect(),
             swept: Some(swept),
+            is_sharp: false,
             axes: Vec::new(),
         }
     }
@@ -160,6 +165,21 @@ impl FaceMesh {
     /// The face behind an edge of a face.
     pub fn neighbour(&self, face: usize, edge: usize) -> Option<usize> {
         self.joined[face].neighbours[edge]
+    }
+
+    /// Unit normal of a face between its corners [1]; zero of one without area.
+    pub fn normal(&self, face: usize, positions: &[Vector]) -> Vector {
+        normal(&self.faces[face], |node| positions[node])
+    }
+
+    /// Size of a face: the root of its area [L].
+    pub fn size(&self, face: usize, positions: &[Vector]) -> f64 {
+        size(area(&self.faces[face], |node| positions[node])).sqrt()
+    }
+
+    /// Whether some neighbours meet at a crease.
+    pub fn is_sharp(&self) -> bool {
+        self.is_sharp
     }
 
     /// Faces that share a corner with a face.
@@ -247,14 +267,24 @@ fn faces_around(faces: &[MeshFace]) -> HashMap<usize, Vec<(usize, usize)>> {
     around
 }
 
-/// Unit normal in the middle of a face; zero of one without area.
-fn normal(face: &MeshFace, position: impl Fn(usize) -> Vector) -> Vector {
+/// Whether faces of these unit normals meet at a crease.
+pub fn is_crease(a: Vector, b: Vector) -> bool {
+    dot(a, b) <= CREASE
+}
+
+/// The area of a face between its corners, along its normal [L2].
+fn area(face: &MeshFace, position: impl Fn(usize) -> Vector) -> Vector {
     let at = |k: usize| position(face.nodes[k]);
     let sides = match face.cell.faces.len() {
         3 => [sub(at(1), at(0)), sub(at(2), at(0))],
         _ => [sub(at(2), at(0)), sub(at(3), at(1))],
     };
-    let area = cross(sides[0], sides[1]);
+    scale(cross(sides[0], sides[1]), 0.5)
+}
+
+/// Unit normal in the middle of a face; zero of one without area.
+fn normal(face: &MeshFace, position: impl Fn(usize) -> Vector) -> Vector {
+    let area = area(face, position);
     match size(area) {
         whole if whole > 0.0 => scale(area, 1.0 / whole),
         _ => [0.0; 3],
@@ -292,7 +322,7 @@ pub fn smooth_groups(
     let neighbours = neighbours(faces);
     let around = faces_around(faces);
     let normals: Vec<_> = faces.iter().map(|face| normal(face, &position)).collect();
-    let joins = |a: usize, b: usize| dot(normals[a], normals[b]) > CREASE;
+    let joins = |a: usize, b: usize| !is_crease(normals[a], normals[b]);
     let lowest = |face: usize, corner: usize| {
         let at = &around[&faces[face].nodes[corner]];
         group(face, at, &neighbours, joins).into_iter().min().unwrap_or(face)

@@ -45,6 +45,7 @@ fn pair(nodes: &[NodeIndex], master: Master) -> ContactPair {
         origin: Span::default(),
     });
     ContactPair {
+        of_solids: false,
         name: "C".into(),
         formulation: Formulation::NodeToSurface,
         vocabulary: crate::Vocabulary::Elements,
@@ -91,8 +92,13 @@ fn slide_line(nodes: Vec<NodeIndex>) -> Master {
 fn beams_sets_and_contact_elements_share_the_new_nodes() {
     let mut model = two_beams();
     let reference = node(&mut model, 99, 0.0, 5.0);
-    let surface =
-        RigidSurface { reference, start: [0.0; 2], segments: Vec::new(), origin: Span::default() };
+    let surface = RigidSurface {
+        reference,
+        start: [0.0; 2],
+        segments: Vec::new(),
+        extension: 0.0,
+        origin: Span::default(),
+    };
     model.contact_pairs.push(pair(&[0, 1, 2], Master::RigidSurface(surface)));
     let fine = refine(&model).unwrap();
     let beams = &fine.blocks[0].elements;

@@ -39,6 +39,7 @@ fn model() -> Model {
 fn contact() -> ContactPair {
     let element = |nodes| ContactElement { label: 1, nodes, lumping: Lumping::Halves, origin: AT };
     ContactPair {
+        of_solids: false,
         name: String::new(),
         formulation: Formulation::NodeToSurface,
         vocabulary: Vocabulary::Elements,
@@ -51,6 +52,7 @@ fn contact() -> ContactPair {
             reference: 0,
             start: [0.0; 2],
             segments: vec![],
+            extension: 0.0,
             origin: AT,
         }),
         interaction: Interaction {

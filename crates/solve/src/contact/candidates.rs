@@ -172,7 +172,8 @@ impl Contact {
         let Carrier::Node { position, dofs } = &point.carrier else { return None };
         let at = dofs.displace(*position, u);
         let own = positions.nodes.get(*offset..offset + nodes.len())?;
-        let piece = master.piece((positions, point.pair), (at, point.seat))?;
+        let outlook = self.outlook(point, u);
+        let piece = master.piece((positions, point.pair), (at, point.seat, &outlook))?;
         let part = piece.nodes();
         let distance =
             own[part.clone()].iter().map(|&node| distance(at, node)).fold(f64::MAX, f64::min);

@@ -173,7 +173,9 @@ impl Contact {
                     let positions = (&chains[0].nodes[range.clone()], &chains[1].nodes[range]);
                     let Some(tree) = chains[0].face_tree(pair) else { continue };
                     near_way(tree, (way[0], way[1]), near);
-                    let faces = near.iter().copied();
+                    let outlook = self.outlook(point, &u[1]);
+                    let meets = |&face: &usize| outlook.meets(mesh.normal(face, positions.1));
+                    let faces = near.iter().copied().filter(meets);
                     cross_faces(mesh, positions, faces, (way[0], way[1]), |crossing| {
                         let (normal, inward) = (crossing.normal, crossing.inward);
                         let fraction = share(crossing.fraction);
@@ -183,8 +185,12 @@ impl Contact {
                 }
                 MasterSurface::Body { surface, .. } => {
                     let body = |end: usize| self.masters[pair].placed_body(&u[end]);
+                    let outlook = self.outlook(point, &u[1]).turned(|n| body(1).turn_back(n));
                     let local = [0, 1].map(|end| body(end).to_body(way[end]));
                     surface.crossings((local[0], local[1]), |crossing, along| {
+                        if !outlook.meets(crossing.normal) {
+                            return;
+                        }
                         let t = crossing.fraction;
                         let at = between(local[0], local[1], t);
                         let (normal, inward) = (crossing.normal, crossing.inward);

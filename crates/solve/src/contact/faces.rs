@@ -16,7 +16,9 @@ use super::positions::{MasterPositions, distance};
 use crate::dofs::Translations;
 use crate::state::PointState;
 use slideline_mech::contact::pair::{FacePoint, FaceRoom, Footing};
-use slideline_mech::contact::search::faces::{FacePlace, closest};
+use slideline_mech::contact::search::faces::FacePlace;
+use slideline_mech::contact::search::outlook::Outlook;
+use slideline_mech::contact::search::sharp_faces::closest;
 use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::surface::mesh::FaceMesh;
 
@@ -51,13 +53,15 @@ impl Contact {
         &self,
         pair: usize,
         (point, extension, before): ([f64; 3], Option<f64>, Option<usize>),
+        outlook: &Outlook,
         positions: &MasterPositions,
         room: &mut FaceRoom,
     ) -> Option<FacePlace> {
         let placed = self.placed_faces(pair, positions)?;
         let tree = positions.face_tree(pair)?;
         let reach = extension.unwrap_or(placed.extension);
-        closest(placed.mesh, placed.positions, tree, (point, reach, before), room.face())
+        let at = (point, reach, before, outlook);
+        closest(placed.mesh, placed.positions, tree, at, room.face())
     }
 
     /// Overclosure of a point that faces nothing, were open ends prolonged [L].
@@ -68,10 +72,19 @@ impl Contact {
         positions: &MasterPositions,
     ) -> Option<f64> {
         let mut room = FaceRoom::default();
-        if self.face_at(pair, (point, None, None), positions, &mut room).is_some() {
+        if self
+            .face_at(pair, (point, None, None), &Outlook::EVERYWHERE, positions, &mut room)
+            .is_some()
+        {
             return None;
         }
-        let place = self.face_at(pair, (point, Some(OFF), None), positions, &mut room)?;
+        let place = self.face_at(
+            pair,
+            (point, Some(OFF), None),
+            &Outlook::EVERYWHERE,
+            positions,
+            &mut room,
+        )?;
         let placed = self.placed_faces(pair, positions)?;
         let own = FacePoint::new(placed.mesh, placed.positions, (place, point), None, &mut room)?;
         Some(-own.gap().gap)
@@ -85,7 +98,8 @@ impl Contact {
         positions: &MasterPositions,
     ) -> Option<f64> {
         let mut room = FaceRoom::default();
-        let place = self.face_at(pair, (point, None, None), positions, &mut room)?;
+        let place =
+            self.face_at(pair, (point, None, None), &Outlook::EVERYWHERE, positions, &mut room)?;
         let placed = self.placed_faces(pair, positions)?;
         let own = FacePoint::new(placed.mesh, placed.positions, (place, point), None, &mut room)?;
         Some(-own.gap().gap)
@@ -121,7 +135,8 @@ impl Contact {
         let held = before.face(place);
         let before = before.points.get(place);
         let footing = before.and_then(|before| before.footing.as_ref());
-        let facing = self.face_at(point.pair, (at, None, held), positions, room);
+        let outlook = self.outlook(point, u);
+        let facing = self.face_at(point.pair, (at, None, held), &outlook, positions, room);
         let found = facing.and_then(|facing| {
             let placed = self.placed_faces(point.pair, positions)?;
             let faces = (placed.mesh, placed.positions);
@@ -205,8 +220,10 @@ impl Contact {
         let point = &self.points[place];
         let Carrier::Node { position, dofs } = &point.carrier else { return };
         let at = dofs.displace(*position, u);
-        let mut room = FaceRoom::default();
-        let Some(facing) = self.face_at(point.pair, (at, None, None), positions, &mut room) else {
+        let (mut room, outlook) = (FaceRoom::default(), self.outlook(point, u));
+        let Some(facing) =
+            self.face_at(point.pair, (at, None, None), &outlook, positions, &mut room)
+        else {
             return;
         };
         let Some(placed) = self.placed_faces(point.pair, positions) else { return };

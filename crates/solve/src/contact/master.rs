@@ -10,7 +10,9 @@ use slideline_mech::contact::pair::{
 };
 use slideline_mech::contact::search::chain::{Chain, Piece};
 use slideline_mech::contact::search::itself::{Itself, Placed, Run, listed};
+use slideline_mech::contact::search::outlook::Outlook;
 use slideline_mech::contact::search::rigid::RigidSegment;
+use slideline_mech::contact::search::sharp;
 use slideline_mech::rigid::{Attachment, PointMap};
 use slideline_mech::surface::mesh::{FaceMesh, MeshFace};
 use slideline_mech::surface::swept::Swept;
@@ -106,13 +108,15 @@ impl MasterSurface {
         }
     }
 
-    /// The master of a rigid surface on the body of its node.
+    /// The master of a rigid surface on the body of its node; faces of the slave are so long [L].
     pub fn body(
         model: &Model,
         dofs: &DofMap,
         surface: &slideline_model::RigidSurface,
+        slave: f64,
     ) -> MasterSurface {
-        let Some(placed) = placed(surface) else { return MasterSurface::Nothing };
+        let Some(mut placed) = placed(surface) else { return MasterSurface::Nothing };
+        placed.prolong(surface.extension, slave);
         MasterSurface::Body {
             dofs: rigid_dofs(dofs, surface.reference),
             reference: model.nodes.get(surface.reference).position,
@@ -178,19 +182,22 @@ impl MasterSurface {
     }
 
     /// What a point of the pair of that index faces, with masters at `positions`; `seat` is its
-    /// place on a master that it belongs to.
+    /// place on a master that it belongs to, `outlook` what its own faces look at.
     pub fn search(
         &self,
         u: &[f64],
         (positions, pair): (&MasterPositions, usize),
-        (point, seat): ([f64; 3], usize),
+        (point, seat, outlook): ([f64; 3], usize, &Outlook),
     ) -> Option<Facing> {
         match self {
             Self::Nothing | Self::Faces { .. } => None,
             Self::Body { surface, .. } => {
-                surface.closest(&self.placed_body(u), point).map(Facing::Surface)
+                let at = (point, outlook);
+                surface.closest_to_node(&self.placed_body(u), at).map(Facing::Surface)
             }
-            Self::Line { .. } => self.piece((positions, pair), (point, seat)).map(Facing::Piece),
+            Self::Line { .. } => {
+                self.piece((positions, pair), (point, seat, outlook)).map(Facing::Piece)
+            }
         }
     }
 
@@ -198,14 +205,14 @@ impl MasterSurface {
     pub(super) fn piece(
         &self,
         (positions, pair): (&MasterPositions, usize),
-        (point, seat): ([f64; 3], usize),
+        (point, seat, outlook): ([f64; 3], usize, &Outlook),
     ) -> Option<Piece> {
         let Self::Line { chain, nodes, offset, itself, .. } = self else { return None };
         let range = *offset..offset + nodes.len();
         match itself {
             None => {
                 let (own, nearby) = positions.chain(pair, range)?;
-                chain.closest(own, nearby, point)
+                sharp::closest(chain, own, nearby, (point, outlook))
             }
             Some(itself) => itself.closest(placed_itself((chain, range), (positions, pair))?, seat),
         }

@@ -3,6 +3,7 @@
 use super::master::MasterSurface;
 use super::mortar::slave::Mortar;
 use super::mortar_faces::slave::FaceMortar;
+use super::outlook::SlaveFace;
 use super::segment::{SEGMENT_POINTS, SlaveSegment};
 use crate::dofs::Translations;
 use crate::state::PointState;
@@ -36,13 +37,15 @@ pub struct SlavePoint {
     pub(super) mortar: Option<usize>,
     /// Its place on a master that it belongs to; zero elsewhere.
     pub(super) seat: usize,
+    /// The faces of the slave surface that meet at it, where they are known.
+    pub(super) faces: Vec<usize>,
     /// How it is carried.
     pub(super) carrier: Carrier,
 }
 
 impl SlavePoint {
     /// Whether it is a slave node that meets its master by itself.
-    pub(super) fn is_node(&self) -> bool {
+    pub(crate) fn is_node(&self) -> bool {
         !self.is_integration_point() && self.mortar.is_none()
     }
 
@@ -92,6 +95,10 @@ pub struct Contact {
     /// Tangential directions of a point: one in the plane.
     pub directions: usize,
     pub(super) masters: Vec<MasterSurface>,
+    /// Faces of the slave surfaces of contact at nodes.
+    pub(super) slave_faces: Vec<SlaveFace>,
+    /// Masters that have a sharp edge, a pair each.
+    pub(super) sharp: Vec<bool>,
     /// Slave surfaces whose contact is spread over their faces.
     pub(super) mortars: Vec<Mortar>,
     /// The same in space.

@@ -29,6 +29,8 @@ impl Contact {
             state_size: 0,
             directions: if model.is_in_space() { 2 } else { 1 },
             masters: Vec::new(),
+            slave_faces: Vec::new(),
+            sharp: Vec::new(),
             mortars: Vec::new(),
             face_mortars: Vec::new(),
             spacing: Vec::new(),
@@ -50,7 +52,7 @@ impl Contact {
             contact.laws.push(laws::laws(model, pair, length, users));
             contact.keeps.push(pair.interaction.no_separation);
             let master = match &pair.master {
-                Master::RigidSurface(surface) => MasterSurface::body(model, dofs, surface),
+                Master::RigidSurface(surface) => MasterSurface::body(model, dofs, surface, length),
                 Master::SlideLine(line) => {
                     MasterSurface::chain(model, dofs, line, contact.chain_nodes)
                 }
@@ -66,11 +68,13 @@ impl Contact {
             contact.masters.push(master);
             contact.take_axes(model, place);
             contact.take_seats(place, pair);
+            contact.add_slave_faces(dofs, place, pair);
         }
         contact.take_bonds();
         contact.opposed = contact.opposed_pairs();
         contact.take_points(model);
         contact.take_segments(model);
+        contact.take_slave_faces(model);
         contact
     }
 
@@ -155,10 +159,18 @@ impl Contact {
         let (state_variables, state_size) = (self.state_size, state_size(pair));
         self.state_size += state_size;
         let (pair, area) = (pair_place, 0.0);
-        let (mortar, seat) = (None, 0);
-        let point =
-            SlavePoint { pair, node, area, state_variables, state_size, mortar, seat, carrier };
-        self.points.push(point);
+        let (mortar, seat, faces) = (None, 0, Vec::new());
+        self.points.push(SlavePoint {
+            pair,
+            node,
+            area,
+            state_variables,
+            state_size,
+            mortar,
+            seat,
+            faces,
+            carrier,
+        });
     }
 
     /// Adds the elements of a pair as segments of integration points, without their numbers.
@@ -201,14 +213,15 @@ impl Contact {
         self.take_points(model);
         self.take_segments(model);
         for (index, pair) in model.contact_pairs.iter().enumerate() {
-            if !self.take_master(model, dofs, index) {
+            let length = mean_length(model, pair);
+            if !self.take_master(model, dofs, (index, length)) {
                 return Err(index);
             }
             self.take_axes(model, index);
-            let length = mean_length(model, pair);
             self.spacing[index] = laws::spacing(model, length, &self.masters[index]);
             self.take_laws((model, pair), (index, length), users);
         }
+        self.take_slave_faces(model);
         self.take_bonds();
         Ok(())
     }

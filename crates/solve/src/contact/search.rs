@@ -61,7 +61,8 @@ impl Contact {
     ) -> Option<(AnyGap<Linear>, Facing)> {
         let slave = self.attachment(point, xi);
         let master = &self.masters[point.pair];
-        let at = (stencil.position, point.seat);
+        let outlook = self.outlook(point, u);
+        let at = (stencil.position, point.seat, &outlook);
         let facing = master.search(u, (positions, point.pair), at)?;
         let gap = master.gap(&facing, slave, (u, &positions.nodes), stencil)?;
         Some((gap, facing))

@@ -138,12 +138,19 @@ impl Contact {
         }
     }
 
-    /// The master of a pair; false where there is none any more, or one that was not.
-    pub(super) fn take_master(&mut self, model: &Model, dofs: &DofMap, index: usize) -> bool {
+    /// The master of a pair whose slave faces are so long on average [L]; false where there is none any more, or one that was not.
+    pub(super) fn take_master(
+        &mut self,
+        model: &Model,
+        dofs: &DofMap,
+        (index, slave): (usize, f64),
+    ) -> bool {
         match (&mut self.masters[index], &model.contact_pairs[index].master) {
             (MasterSurface::Body { reference, surface, .. }, Master::RigidSurface(said)) => {
                 *reference = model.nodes.get(said.reference).position;
-                surface.take(placed_segments(said))
+                let whole = surface.take(placed_segments(said));
+                surface.prolong(said.extension, slave);
+                whole
             }
             (MasterSurface::Line { chain, nodes, itself, .. }, Master::Itself(surface)) => {
                 let list = listed_nodes(surface);
@@ -176,7 +183,7 @@ impl Contact {
                 true
             }
             (MasterSurface::Nothing, Master::RigidSurface(said)) => {
-                matches!(MasterSurface::body(model, dofs, said), MasterSurface::Nothing)
+                matches!(MasterSurface::body(model, dofs, said, slave), MasterSurface::Nothing)
             }
             (MasterSurface::Nothing, Master::Itself(surface)) => {
                 own_parts(model, surface, &listed_nodes(surface)).is_none()

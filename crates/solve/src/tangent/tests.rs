@@ -98,7 +98,8 @@ pub(crate) fn model(line: bool) -> Model {
             SurfaceSegment::Circle { end: [3.2, 0.0], centre: [3.2, 1.0] },
             SurfaceSegment::Circle { end: [2.2, 1.0], centre: [3.2, 1.0] },
         ];
-        let surface = RigidSurface { reference: body, start: end, segments, origin: AT };
+        let surface =
+            RigidSurface { reference: body, start: end, segments, extension: 0.0, origin: AT };
         (pairs(&beam), Master::RigidSurface(surface))
     };
     let interaction = Interaction {
@@ -120,6 +121,7 @@ pub(crate) fn model(line: bool) -> Model {
     let formulation = Formulation::NodeToSurface;
     let origin = AT;
     let pair = ContactPair {
+        of_solids: false,
         adjust: slideline_model::Adjust::Nothing,
         corners: Vec::new(),
         slaves: Vec::new(),

@@ -44,6 +44,9 @@ const ABOVE: (usize, bool) = (1, true);
 const UNDER: (usize, bool) = (2, false);
 const OVER: (usize, bool) = (2, true);
 
+/// How far a block that is pressed by forces is drawn [L].
+const DRAWN: f64 = 0.2;
+
 /// Sizes of two bodies, the lower one first.
 struct Stack {
     width: [f64; 2],
@@ -105,6 +108,21 @@ impl Stack {
         };
         draft.pairs.push(Pair { slave: faces[1 - master], master: faces[master], mortar });
         draft
+    }
+
+    /// Makes the foot of the upper block the slave where contact is at the nodes and fewer than three
+    /// of the lower one stay below it all the way: a load on one or two nodes rests on nothing else.
+    fn carry(&self, draft: &mut Draft) {
+        let below = |node: &usize| {
+            let off = (draft.nodes[*node][0] - self.at[0]).abs();
+            off < 0.5 * self.width[1] - DRAWN
+        };
+        let carrying = draft.side(0, ABOVE).iter().filter(|node| below(node)).count();
+        for pair in draft.pairs.iter_mut().filter(|pair| !pair.mortar && carrying < 3) {
+            if matches!(pair.slave, Surface::Side(0, _)) {
+                std::mem::swap(&mut pair.slave, &mut pair.master);
+            }
+        }
     }
 
     fn place(&self, body: usize, up: usize, unit: [f64; 3]) -> [f64; 3] {
@@ -195,6 +213,7 @@ fn loaded(world: World, s: &mut Sequence) -> Draft {
     let mut stack = Stack::drawn(world, s);
     stack.gap = 0.0; // what forces press together must touch
     let mut draft = stack.build(world, s);
+    stack.carry(&mut draft);
     laws(&mut draft, 0.4, s);
     let [bottom, top] = sides(world);
     let [base, head] = [draft.side(0, bottom), draft.side(1, top)];
@@ -210,7 +229,7 @@ fn loaded(world: World, s: &mut Sequence) -> Draft {
         ],
         loads: loads.clone(),
     };
-    draft.steps = vec![step(0.0), step(s.between(-0.2, 0.2))];
+    draft.steps = vec![step(0.0), step(s.between(-DRAWN, DRAWN))];
     draft
 }
 

@@ -4,7 +4,9 @@ use super::super::gap::circle::{Circle, Side};
 use super::super::gap::curve::{Along, Weights, point_to_curve};
 use super::super::gap::{Linear, Order};
 use super::super::search::chain::{flat, raised};
+use super::super::search::outlook::Outlook;
 use super::super::search::rigid::{self, Facing, Part, RigidSegment};
+use super::super::search::sharp_rigid;
 use super::super::search::sweep::{Crossing, cross_rigid};
 use super::body::Body;
 use super::nose::{Nose, bounds};
@@ -41,6 +43,15 @@ impl RigidSurface {
         }));
         self.measure();
         whole
+    }
+
+    /// Prolongs open ends straight by `extension` of their segments, or of `slave` [L] where that is
+    /// shorter.
+    pub fn prolong(&mut self, extension: f64, slave: f64) {
+        if extension > 0.0 && self.period.is_none() {
+            rigid::prolong(&mut self.segments, |end| extension * end.length().min(slave));
+            self.measure();
+        }
     }
 
     /// Arc coordinates, bounds and noses of the segments.
@@ -89,9 +100,25 @@ impl RigidSurface {
         self.period
     }
 
+    /// Whether it has a sharp corner that stands out.
+    pub fn is_sharp(&self) -> bool {
+        sharp_rigid::is_sharp(&self.segments, self.period.is_some())
+    }
+
     /// What faces `point` (in space) on the body; see [`rigid::closest`].
     pub fn closest(&self, body: &Body, point: [f64; 3]) -> Option<Facing> {
         rigid::closest_on(&self.segments, self.period.is_some(), body.in_frame(point))
+    }
+
+    /// What faces a slave node of that outlook (in space) on the body; see [`sharp_rigid::closest`].
+    pub fn closest_to_node(
+        &self,
+        body: &Body,
+        (point, outlook): ([f64; 3], &Outlook),
+    ) -> Option<Facing> {
+        let outlook = outlook.turned(|normal| body.turn_back(normal));
+        let at = (body.in_frame(point), &outlook);
+        sharp_rigid::closest(&self.segments, self.period.is_some(), at)
     }
 
     /// Where the straight path between two places in the frame of the body crosses the surface, with

@@ -80,8 +80,7 @@ pub fn closest(
         let (face, at) = super::swept::closest(swept, positions, point)?;
         return Some(FacePlace { face, at });
     }
-    let measure = |face: usize| nearest_of(mesh, positions, face, point).0;
-    let (mut face, least) = tree.nearest(point, measure)?;
+    let (mut face, least) = nearest(mesh, positions, tree, point)?;
     let kept = before
         .and_then(|face| keep(mesh, positions, (face, point), (extension, least.sqrt()), room));
     if kept.is_some() {
@@ -106,6 +105,26 @@ pub fn closest(
         start = nearest_of(mesh, positions, face, point).1;
     }
     None
+}
+
+/// The face nearest to a point.
+pub(super) fn nearest_face(
+    mesh: &FaceMesh,
+    positions: &[Vector],
+    tree: &FaceTree,
+    point: Vector,
+) -> Option<usize> {
+    nearest(mesh, positions, tree, point).map(|(face, _)| face)
+}
+
+/// The face nearest to a point, and the square of its distance [L2].
+fn nearest(
+    mesh: &FaceMesh,
+    positions: &[Vector],
+    tree: &FaceTree,
+    point: Vector,
+) -> Option<(usize, f64)> {
+    tree.nearest(point, |face| nearest_of(mesh, positions, face, point).0)
 }
 
 /// The place of a face on which a point stood, where it faces it still: hardly farther away than
@@ -133,7 +152,7 @@ fn keep(
 }
 
 /// The edge that a place lies farthest beyond, and by how much of the face [1].
-fn beyond(corners: usize, [x, y]: [f64; 2]) -> (usize, f64) {
+pub(super) fn beyond(corners: usize, [x, y]: [f64; 2]) -> (usize, f64) {
     let sides = match corners {
         3 => [-y, x + y - 1.0, -x, f64::NEG_INFINITY],
         _ => [-0.5 * (1.0 + y), 0.5 * (x - 1.0), 0.5 * (y - 1.0), -0.5 * (1.0 + x)],
@@ -143,7 +162,7 @@ fn beyond(corners: usize, [x, y]: [f64; 2]) -> (usize, f64) {
 }
 
 /// Newton on the square of the distance.
-fn project(patch: &Patch, start: [f64; 2], point: Vector) -> Option<[f64; 2]> {
+pub(super) fn project(patch: &Patch, start: [f64; 2], point: Vector) -> Option<[f64; 2]> {
     let mut at = start;
     for _ in 0..ITERATIONS {
         let place = patch.place(at);
@@ -178,7 +197,7 @@ fn project(patch: &Patch, start: [f64; 2], point: Vector) -> Option<[f64; 2]> {
 
 /// Square of the distance of a point from the corners' triangles of a face [L2], and the nearest
 /// place on the reference cell.
-fn nearest_of(
+pub(super) fn nearest_of(
     mesh: &FaceMesh,
     positions: &[Vector],
     face: usize,

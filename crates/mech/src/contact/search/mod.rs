@@ -6,14 +6,19 @@
 //!    o---o---+--o---o
 //! ```
 //!
-//! [`itself`] is the search of a surface that meets itself.
+//! [`itself`] is the search of a surface that meets itself, [`outlook`] tells which of the sides of a
+//! sharp edge a slave node meets.
 
 pub mod chain;
 pub mod faces;
 pub mod itself;
+pub mod outlook;
 pub mod pass;
 pub mod rigid;
 pub mod segment;
+pub mod sharp;
+pub mod sharp_faces;
+pub mod sharp_rigid;
 pub mod sweep;
 pub mod swept;
 pub mod tree;

@@ -167,6 +167,22 @@ pub fn beyond_end(segments: &[RigidSegment], point: Point) -> Option<BeyondEnd> 
     ends.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, place)| place)
 }
 
+/// Prolongs both ends of an open surface along their tangents, each segment there by so much [L].
+pub fn prolong(segments: &mut Vec<RigidSegment>, by: impl Fn(&RigidSegment) -> f64) {
+    let (Some(&first), Some(&last)) = (segments.first(), segments.last()) else { return };
+    let on = |from: Point, tangent: Point, by: f64| [0, 1].map(|c| from[c] + by * tangent[c]);
+    let start = on(first.start(), first.tangent(true), -by(&first));
+    let end = on(last.end(), last.tangent(false), by(&last));
+    match segments.first_mut() {
+        Some(RigidSegment::Line { a, .. }) => *a = start,
+        _ => segments.insert(0, RigidSegment::Line { a: start, b: first.start() }),
+    }
+    match segments.last_mut() {
+        Some(RigidSegment::Line { b, .. }) => *b = end,
+        _ => segments.push(RigidSegment::Line { a: last.end(), b: end }),
+    }
+}
+
 /// Whether the surface ends where it starts.
 pub fn is_closed(segments: &[RigidSegment]) -> bool {
     match (segments.first(), segments.last()) {

@@ -8,7 +8,7 @@
 
 use super::curve::{Curve, Place, cross, dot, sub};
 use super::face::{MortarFace, field};
-use super::integrals::{Bound, Segment, across};
+use super::integrals::{Bound, MERGING, Segment, across};
 use super::normals::MeanNormal;
 
 /// Part of a face below which bounds are one [1].
@@ -59,7 +59,9 @@ impl Cover {
                 self.add_segment(bounds, face, &ends);
             }
         }
+        self.drop_across(face, &slave);
         self.drop_far(&slave);
+        self.merge_ends(face);
         &self.segments
     }
 
@@ -81,7 +83,7 @@ impl Cover {
         for (end, at) in [first, last].into_iter().enumerate() {
             // an end that stands upon one of the face moves no bound: both sides of it are one
             if SAME < at && at < 1.0 - SAME {
-                self.bounds.push(Bound::Projected { curve: place, end, at });
+                self.bounds.push(Bound::Projected { curve: place, end, at, merges: None });
             }
         }
         self.spans.push(Span { curve: place, from, to, faces: first < last });
@@ -122,6 +124,52 @@ impl Cover {
         }
     }
 
+    /// Leaves out what begins at a corner of the slave and is deeper than it is wide: the corner went
+    /// in through another side of the master than the one that it faces from inside.
+    ///
+    /// ```text
+    ///         |  slave  |
+    ///     ----o---------o----      the sides of the slave, sunk by rounding or by what is allowed,
+    ///     |     master      |      would face those of the master from within: not contact
+    /// ```
+    fn drop_across(&mut self, face: &MortarFace<'_, f64>, slave: &Curve<f64>) {
+        let chord = sub(slave.end(1), slave.end(0));
+        let length = dot(chord, chord).sqrt();
+        let is_corner = [face.places.before.is_none(), face.places.after.is_none()];
+        for end in (0..2).filter(|&end| is_corner[end]) {
+            let (count, covered) = self.run_from(end);
+            let all = self.segments.len();
+            let run = if end == 0 { 0..count } else { all - count..all };
+            let depth = self.gaps[run.clone()].iter().fold(0.0, |depth: f64, gap| depth.max(-gap));
+            if covered < 1.0 - SAME && depth > covered * length {
+                self.segments.drain(run.clone());
+                self.gaps.drain(run);
+            }
+        }
+    }
+
+    /// How many segments lie side by side from an end of the face on, and how much they cover [1].
+    fn run_from(&self, end: usize) -> (usize, f64) {
+        let (mut count, mut edge) = (0, end as f64);
+        let all = self.segments.len();
+        let at = |count: usize| if end == 0 { count } else { all - 1 - count };
+        while count < all && (self.segments[at(count)].bounds[end].at() - edge).abs() <= SAME {
+            edge = self.segments[at(count)].bounds[1 - end].at();
+            count += 1;
+        }
+        (count, (edge - end as f64).abs())
+    }
+
+    /// Marks the bounds that are next to an end of the slave surface, with nothing between.
+    fn merge_ends(&mut self, face: &MortarFace<'_, f64>) {
+        if let Some(first) = self.segments.first_mut().filter(|_| face.places.before.is_none()) {
+            merge(&mut first.bounds[0], 0);
+        }
+        if let Some(last) = self.segments.last_mut().filter(|_| face.places.after.is_none()) {
+            merge(&mut last.bounds[1], 1);
+        }
+    }
+
     /// Leaves out what lies further than the length of the face behind the nearest part, as the
     /// foot of a step, and a cover that is next to nothing.
     fn drop_far(&mut self, slave: &Curve<f64>) {
@@ -138,6 +186,15 @@ impl Cover {
         if self.segments.iter().map(part).sum::<f64>() < LEAST {
             self.segments.clear();
         }
+    }
+}
+
+/// Lets a bound go over into an end of its face where it is near.
+fn merge(bound: &mut Bound, into: usize) {
+    if let Bound::Projected { at, merges, .. } = bound
+        && (*at - into as f64).abs() < MERGING
+    {
+        *merges = Some(into);
     }
 }
 

@@ -14,6 +14,9 @@ use super::normals::MeanNormal;
 use super::reference::Reference;
 use crate::differentiate::Real;
 
+/// Part of a face within which a bound goes over into the end of its surface [1].
+pub(super) const MERGING: f64 = 0.01;
+
 /// Where a segment ends on its slave face.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Bound {
@@ -27,6 +30,8 @@ pub enum Bound {
         end: usize,
         /// The parameter of the face there [1].
         at: f64,
+        /// The end of the face, 0 or 1, into which it goes over smoothly, as the surface ends there.
+        merges: Option<usize>,
     },
 }
 
@@ -258,14 +263,40 @@ impl Shares {
 
 /// The parameter of a bound, with its derivatives.
 fn parameter<R: Real>(bound: &Bound, face: &MortarFace<'_, R>, ends: &[MeanNormal<R>; 2]) -> R {
-    let Bound::Projected { curve, end, at } = *bound else { return R::from_f64(bound.at()) };
-    let (slave, point) = (face.curve(), face.curves[curve].end(end));
-    let mut t = R::from_f64(at);
+    let Bound::Projected { curve, end, at, merges } = *bound else {
+        return R::from_f64(bound.at());
+    };
+    let t = projection(R::from_f64(at), face.curves[curve].end(end), face, ends);
+    merged(t, merges)[0]
+}
+
+/// Where a point projects on a face, from a place that is right in value: with its derivatives.
+pub(super) fn projection<R: Real>(
+    near: R,
+    point: Place<R>,
+    face: &MortarFace<'_, R>,
+    ends: &[MeanNormal<R>; 2],
+) -> R {
+    let slave = face.curve();
+    let mut t = near;
     for _ in 0..2 {
         let (off, slope) = across(&slave, ends, point, t);
         t = t - off / slope;
     }
     t
+}
+
+/// The parameter of a bound that goes over into an end of its face, and its derivative by that of the
+/// projection: without it the force along the face would leap where an end of the master passes that
+/// of the slave. docs/theory.md eq. (5.24a)
+pub(super) fn merged<R: Real>(t: R, end: Option<usize>) -> [R; 2] {
+    let Some(end) = end else { return [t, R::from_f64(1.0)] };
+    let (one, two, three) = (R::from_f64(1.0), R::from_f64(2.0), R::from_f64(3.0));
+    let width = R::from_f64(MERGING);
+    let part = (if end == 0 { t } else { one - t }) / width;
+    let rest = width * part * part * (two - part);
+    let slope = part * (two * two - three * part);
+    [if end == 0 { rest } else { one - rest }, slope]
 }
 
 /// (x(t) - y) x n(t), which vanishes where y projects, and its derivative [L].

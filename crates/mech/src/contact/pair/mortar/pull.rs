@@ -11,7 +11,7 @@
 
 use super::curve::{MOST_CONTROLS, Place, add_scaled, dot, scale, sub, zero};
 use super::face::{FIRST_MASTER, MortarFace, OWN};
-use super::integrals::{Bound, Integrals, Segment, Shares, Station, across};
+use super::integrals::{Bound, Integrals, Segment, Shares, Station, across, merged, projection};
 use crate::differentiate::Real;
 
 /// Which derivative is asked for.
@@ -269,9 +269,16 @@ impl<R: Real> Chain<'_, R> {
         by: R,
         ends: &[super::normals::MeanNormal<R>; 2],
     ) {
-        let Bound::Projected { curve, end, .. } = *bound else { return };
+        let Bound::Projected { curve, end, at, merges } = *bound else { return };
         let (slave, other) = (self.face.curve(), &self.face.curves[curve]);
         let point = other.end(end);
+        let (t, by) = match merges {
+            None => (t, by),
+            Some(_) => {
+                let t = projection(R::from_f64(at), point, self.face, ends);
+                (t, by * merged(t, merges)[1])
+            }
+        };
         let (_, slope) = across(&slave, ends, point, t);
         let by = by / slope;
         let own = slave.shapes(t);

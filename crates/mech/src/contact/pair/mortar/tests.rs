@@ -166,9 +166,17 @@ fn case(random: &mut Random, number: usize) -> Case {
     let mut counts = Vec::new();
     let nodes = 2 + number % 3;
     let mut from = near(random, begin, 0.02);
+    let open = [number % 6 == 4, number % 6 == 5];
+    // sometimes within what goes over into the end of the surface
+    if number % 12 == 4 {
+        from[0] = places[1][0] - 0.004;
+    }
     for k in 0..nodes {
         let x = begin + (end - begin) * (k + 1) as f64 / nodes as f64;
-        let to = near(random, x, 0.02);
+        let mut to = near(random, x, 0.02);
+        if number % 12 == 5 && k + 1 == nodes {
+            to[0] = places[3][0] + 0.004;
+        }
         let own = 2 + (number / 2 + k) % 2;
         let weight = if number % 7 == 3 { 0.8 } else { 1.0 };
         let half = [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])];
@@ -178,7 +186,6 @@ fn case(random: &mut Random, number: usize) -> Case {
         counts.push((own, weight));
         from = to;
     }
-    let open = [number % 6 == 4, number % 6 == 5];
     let mut first: Vec<usize> = (0..places.len()).collect();
     for k in 1..nodes {
         let before = FIRST_MASTER + 3 * (k - 1);
@@ -457,5 +464,43 @@ fn forces_are_continuous_where_ends_pass_a_node() {
             let off = (own[0] - other[0]).abs() + (own[1] - other[1]).abs();
             assert!(off < 2.0 * shift.abs() + 1e-14, "{shift} {own:?} {other:?}");
         }
+    }
+}
+
+/// Requirement: forces do not leap where the end of the master passes the end of the slave surface,
+/// though what is faced there stands away from it; and both on one another are as one.
+#[test]
+fn forces_are_continuous_where_an_end_passes_the_end_of_the_surface() {
+    let own = [[1.0, 0.0, 0.0], [0.0, 0.0, 0.0]];
+    let reference = Reference::new(&own, Across::Width(1.0));
+    let places = FacePlaces::new(None, &own, None);
+    let force = |end: usize, shift: f64| {
+        let (mut from, mut to) = ([2.0, 0.2, 0.0], [-1.0, -0.1, 0.0]);
+        *(if end == 0 { &mut from[0] } else { &mut to[0] }) = 1.0 - end as f64 + shift;
+        let curves = [Curve::new(&[from, to], 1.0)];
+        let face = MortarFace { reference: &reference, places: &places, curves: &curves };
+        let segments = Cover::default().find(&face).to_vec();
+        let mut integrals = Integrals::default();
+        assert!(integrals.take(&face, &segments));
+        let mut into = vec![[0.0; 2]; FIRST_MASTER + 3];
+        let by = Direction { normal: 1.0, tangent: 0.0, area: 0.0 };
+        for node in 0..2 {
+            integrals.pull((&face, &segments), Shares::of(node), &by, &mut into);
+        }
+        (into, integrals.areas[0] + integrals.areas[1])
+    };
+    for end in 0..2 {
+        let (middle, area) = force(end, 0.0);
+        assert!((area - 1.0).abs() < 1e-14, "{area}");
+        for shift in [-1e-5, -1e-7, -1e-9, 1e-9, 1e-7, 1e-5] {
+            for (own, other) in force(end, shift).0.iter().zip(&middle) {
+                let off = (own[0] - other[0]).abs() + (own[1] - other[1]).abs();
+                assert!(off < 100.0 * f64::abs(shift) + 1e-13, "{end} {shift} {own:?} {other:?}");
+            }
+        }
+        // away from the end all that is covered counts
+        let inward = if end == 0 { -0.3 } else { 0.3 };
+        let covered = force(end, inward).1;
+        assert!((covered - 0.7).abs() < 1e-14, "{covered}");
     }
 }

@@ -1,0 +1,159 @@
+//! The piece of a chain that a slave node faces about a sharp edge.
+//!
+//! ```text
+//!                x  node, its face looks down       the nearest piece is the side, or the smoothed
+//!     ----------.       . . . .                     corner; the node faces the top, which is
+//!      master    |   BEYOND                         prolonged a little for it
+//! ```
+//!
+//! docs/theory.md section 5.14. (derived)
+
+use super::chain::{Chain, Nearby, Piece, PieceKind, flat};
+use super::outlook::{BEYOND, Outlook, SUNK};
+use super::{Point, cross, dot, project_line, sub};
+use crate::vector::Vector;
+
+/// Turn from which on a node of a chain is a sharp edge [rad].
+const SHARP: f64 = 50.0 * std::f64::consts::PI / 180.0;
+
+/// The piece of a chain at these positions that a slave node at `point` faces: the nearest one
+/// ([`Chain::closest`]), or, about a sharp edge, the one on that side of it which looks at the node.
+pub fn closest(
+    chain: &Chain,
+    positions: &[[f64; 3]],
+    nearby: Nearby<'_>,
+    (point, outlook): ([f64; 3], &Outlook),
+) -> Option<Piece> {
+    let found = chain.closest(positions, nearby, point)?;
+    if outlook.is_everywhere() {
+        return Some(found);
+    }
+    let about = About { positions, point: flat(point), outlook };
+    Some(about.other_side(&found).unwrap_or(found))
+}
+
+/// Whether a chain through these positions has a sharp edge.
+pub fn is_sharp(mut positions: impl Iterator<Item = [f64; 3]>) -> bool {
+    let (Some(first), Some(second)) = (positions.next(), positions.next()) else { return false };
+    let mut last = [first, second];
+    positions.any(|next| {
+        let [before, here] = last;
+        last = [here, next];
+        turns_away(sub(flat(here), flat(before)), sub(flat(next), flat(here)))
+    })
+}
+
+/// Whether an edge between these two ways is a sharp one; the outside is on their left.
+pub(super) fn turns_away(before: Point, behind: Point) -> bool {
+    cross(before, behind).atan2(dot(before, behind)) < -SHARP
+}
+
+/// Whether a chain turns away sharply at a node between its ends; the outside is on its left.
+fn is_edge(positions: &[[f64; 3]], node: usize) -> bool {
+    if node == 0 || node + 1 >= positions.len() {
+        return false;
+    }
+    turns_away(along(positions, node - 1), along(positions, node))
+}
+
+fn along(positions: &[[f64; 3]], part: usize) -> Point {
+    sub(flat(positions[part + 1]), flat(positions[part]))
+}
+
+fn length(way: Point) -> f64 {
+    way[0].hypot(way[1])
+}
+
+/// A slave node about a chain.
+struct About<'a> {
+    positions: &'a [[f64; 3]],
+    point: Point,
+    outlook: &'a Outlook,
+}
+
+impl About<'_> {
+    /// Whether a part looks at the node.
+    fn meets(&self, part: usize) -> bool {
+        let [x, y] = along(self.positions, part);
+        let whole = x.hypot(y);
+        let normal: Vector = [-y / whole, x / whole, 0.0];
+        self.outlook.meets(normal)
+    }
+
+    /// The straight part beyond a sharp edge that looks at the node, where the piece that was found
+    /// does not.
+    fn other_side(&self, found: &Piece) -> Option<Piece> {
+        let node = found.index;
+        match found.kind {
+            PieceKind::Corner if !is_edge(self.positions, node) => None,
+            PieceKind::Corner => match (self.meets(node - 1), self.meets(node)) {
+                (true, false) => self.part(node - 1, node),
+                (false, true) => self.part(node, node),
+                _ => None,
+            },
+            PieceKind::Straight if self.meets(found.index) => None,
+            PieceKind::Straight => {
+                let sides = [self.edge(found.index, false), self.edge(found.index, true)];
+                let found = sides.into_iter().flatten();
+                let nearer = |a: &(f64, Piece), b: &(f64, Piece)| a.0.total_cmp(&b.0);
+                found.min_by(nearer).map(|(_, piece)| piece)
+            }
+        }
+    }
+
+    /// The part behind the next sharp edge on the way from a part, and its distance: where the node
+    /// has sunk in no deeper than half of that side.
+    fn edge(&self, from: usize, ahead: bool) -> Option<(f64, Piece)> {
+        let next = |part: usize| match ahead {
+            true => Some(part + 1).filter(|part| part + 1 < self.positions.len()),
+            false => part.checked_sub(1),
+        };
+        let mut part = from;
+        let (node, other) = loop {
+            let node = if ahead { part + 1 } else { part };
+            let behind = next(part)?;
+            if is_edge(self.positions, node) {
+                break (node, behind);
+            }
+            part = behind;
+        };
+        if !self.meets(other) {
+            return None;
+        }
+        let piece = self.part(other, node)?;
+        let distance = self.distance(other);
+        (distance <= SUNK * self.side(part, ahead)).then_some((distance, piece))
+    }
+
+    /// Length of a side from the sharp edge that its part ends at, `ahead` or before, to the other
+    /// one [L].
+    fn side(&self, part: usize, ahead: bool) -> f64 {
+        let (mut part, mut sum) = (part, length(along(self.positions, part)));
+        loop {
+            let node = if ahead { part } else { part + 1 };
+            if is_edge(self.positions, node) || node == 0 || node + 1 == self.positions.len() {
+                return sum;
+            }
+            part = if ahead { part - 1 } else { part + 1 };
+            sum += length(along(self.positions, part));
+        }
+    }
+
+    /// Distance of the node from the line of a part [L].
+    fn distance(&self, part: usize) -> f64 {
+        let along = along(self.positions, part);
+        cross(along, sub(self.point, flat(self.positions[part]))).abs() / length(along)
+    }
+
+    /// A straight part, prolonged a little beyond the edge at a node of it, where the node faces it.
+    fn part(&self, part: usize, edge: usize) -> Option<Piece> {
+        let (a, b) = (flat(self.positions[part]), flat(self.positions[part + 1]));
+        let parameter = project_line(a, b, self.point)?;
+        let size = length(sub(b, a));
+        let beyond = BEYOND * self.outlook.size().min(size) / size;
+        let (low, high) = if edge == part { (-beyond, 1.0) } else { (0.0, 1.0 + beyond) };
+        let deepest = SUNK * size;
+        let inside = (low..=high).contains(&parameter) && self.distance(part) <= deepest;
+        inside.then_some(Piece { index: part, kind: PieceKind::Straight, parameter })
+    }
+}

@@ -1,0 +1,131 @@
+//! The face in space that a slave node faces about a sharp edge.
+//!
+//! ```text
+//!            x  node, its faces look down       the nearest face is the side; the node faces
+//!      ______  . . .                            the top, which is prolonged a little for it
+//!     / top  /|
+//!    /______/ | side
+//! ```
+//!
+//! docs/theory.md section 5.14. (derived)
+
+use super::faces::{FacePlace, FaceTree, beyond, nearest_face, nearest_of, project};
+use super::outlook::{BEYOND, Outlook, SUNK};
+use crate::surface::mesh::{FaceMesh, PlacedFace, is_crease};
+use crate::vector::{Vector, add, dot, scale, size, sub};
+
+/// Faces of a side that are looked at.
+const SIDE: usize = 32;
+/// Faces that are asked one after the other beyond an edge.
+const WAY: usize = 4;
+
+/// What faces a slave node: the nearest face ([`super::faces::closest`]), or, about a sharp edge, a
+/// face beyond it that looks at the node.
+pub fn closest(
+    mesh: &FaceMesh,
+    positions: &[Vector],
+    tree: &FaceTree,
+    (point, extension, before, outlook): (Vector, f64, Option<usize>, &Outlook),
+    room: &mut PlacedFace,
+) -> Option<FacePlace> {
+    let about = About { mesh, positions, point, outlook };
+    let before = before.filter(|&face| about.meets(face));
+    let found = super::faces::closest(mesh, positions, tree, (point, extension, before), room);
+    if outlook.is_everywhere() || mesh.swept().is_some() {
+        return found;
+    }
+    let from = found.map(|found| found.face);
+    let from = from.or_else(|| nearest_face(mesh, positions, tree, point))?;
+    match about.meets(from) {
+        true => found,
+        false => about.beyond_edges(from, room).or(found),
+    }
+}
+
+/// A slave node about faces.
+struct About<'a> {
+    mesh: &'a FaceMesh,
+    positions: &'a [Vector],
+    point: Vector,
+    outlook: &'a Outlook,
+}
+
+impl About<'_> {
+    /// Whether a face looks at the node.
+    fn meets(&self, face: usize) -> bool {
+        self.outlook.is_everywhere() || self.outlook.meets(self.mesh.normal(face, self.positions))
+    }
+
+    fn middle(&self, face: usize) -> Vector {
+        let own = &self.mesh.faces()[face];
+        let corners = own.cell.faces.len();
+        let sum = own.nodes[..corners].iter().fold([0.0; 3], |sum, &n| add(sum, self.positions[n]));
+        scale(sum, 1.0 / corners as f64)
+    }
+
+    /// Whether two neighbours meet at a sharp edge that stands out.
+    fn is_edge(&self, face: usize, other: usize) -> bool {
+        let normal = self.mesh.normal(face, self.positions);
+        is_crease(normal, self.mesh.normal(other, self.positions))
+            && dot(sub(self.middle(other), self.middle(face)), normal) < 0.0
+    }
+
+    /// The nearest face that looks at the node beyond the sharp edges about the side of a face that
+    /// does not: where the node has sunk in no deeper than half of that side.
+    fn beyond_edges(&self, from: usize, room: &mut PlacedFace) -> Option<FacePlace> {
+        let mut side = [usize::MAX; SIDE];
+        (side[0], side[1]) = (from, usize::MAX);
+        let (mut count, mut next) = (1, 0);
+        let mut best: Option<(f64, FacePlace)> = None;
+        while next < count {
+            let face = side[next];
+            next += 1;
+            for edge in 0..self.mesh.faces()[face].cell.faces.len() {
+                let Some(other) = self.mesh.neighbour(face, edge) else { continue };
+                let is_edge = self.is_edge(face, other);
+                if is_edge && self.meets(other) {
+                    let found = self.place_on(other, room);
+                    let nearer = |found: &(f64, FacePlace)| best.is_none_or(|b| found.0 < b.0);
+                    best = found.filter(nearer).or(best);
+                } else if !is_edge && count < SIDE && !side[..count].contains(&other) {
+                    side[count] = other;
+                    count += 1;
+                }
+            }
+        }
+        let (depth, place) = best?;
+        (depth <= SUNK * self.extent(&side[..count], place.face)).then_some(place)
+    }
+
+    /// How deep a side reaches behind the plane of a face [L].
+    fn extent(&self, side: &[usize], face: usize) -> f64 {
+        let (normal, middle) = (self.mesh.normal(face, self.positions), self.middle(face));
+        let nodes = side.iter().flat_map(|&own| &self.mesh.faces()[own].nodes);
+        let depths = nodes.map(|&node| dot(sub(middle, self.positions[node]), normal));
+        depths.fold(0.0, f64::max)
+    }
+
+    /// Distance of the node from a face, or the one beside it that it stands before, and its place
+    /// there; `None` where it stands too far beyond an edge, or too deep.
+    fn place_on(&self, mut face: usize, room: &mut PlacedFace) -> Option<(f64, FacePlace)> {
+        for _ in 0..WAY {
+            let (_, start) = nearest_of(self.mesh, self.positions, face, self.point);
+            let patch = self.mesh.place(face, self.positions, room)?;
+            let at = project(&patch, start, self.point)?;
+            let (edge, outside) = beyond(patch.corners(), at);
+            let next = self.mesh.neighbour(face, edge).filter(|_| outside > super::INSIDE);
+            if let Some(next) = next.filter(|&next| self.meets(next) && !self.is_edge(face, next)) {
+                face = next;
+                continue;
+            }
+            let nearest = patch.position(&patch.place(start).value);
+            let (way, normal) = (sub(self.point, nearest), self.mesh.normal(face, self.positions));
+            let height = dot(way, normal);
+            let apart = size(sub(way, scale(normal, height)));
+            let own = self.mesh.size(face, self.positions);
+            let near = apart <= BEYOND * own.min(self.outlook.size()) && -height <= SUNK * own;
+            return near.then_some((height.abs(), FacePlace { face, at }));
+        }
+        None
+    }
+}

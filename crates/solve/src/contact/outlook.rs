@@ -1,0 +1,102 @@
+//! The faces of a slave surface about its nodes, where their master has sharp edges.
+//!
+//! ```text
+//!     o---o---o---o      each slave node knows the faces that meet there, and so which sides of
+//!     |  its faces       a sharp edge of the master it may meet
+//!     o
+//! ```
+
+use super::master::MasterSurface;
+use super::pairs::{Contact, SlavePoint};
+use crate::dofs::{DofMap, Translations};
+use slideline_mech::contact::search::outlook::Outlook;
+use slideline_mech::contact::search::sharp;
+use slideline_mech::vector::{cross, size, sub};
+use slideline_model::{ContactPair, Model, NodeIndex};
+use std::collections::HashMap;
+
+/// A face of a slave surface by its corners: nodes, undeformed positions [L], dofs.
+#[derive(Clone, Debug)]
+pub(super) struct SlaveFace {
+    corners: Vec<(NodeIndex, [f64; 3], Translations)>,
+}
+
+impl SlaveFace {
+    /// Its normal, of any length, and its size [L], at displacements `u`.
+    fn stands(&self, u: &[f64]) -> ([f64; 3], f64) {
+        let at = |k: usize| self.corners[k].2.displace(self.corners[k].1, u);
+        match self.corners.len() {
+            // in the plane, the material on the left
+            2 => {
+                let [x, y, _] = sub(at(1), at(0));
+                ([y, -x, 0.0], x.hypot(y))
+            }
+            count => {
+                let [a, b] = match count {
+                    3 => [sub(at(1), at(0)), sub(at(2), at(0))],
+                    _ => [sub(at(2), at(0)), sub(at(3), at(1))],
+                };
+                let normal = cross(a, b);
+                (normal, (0.5 * size(normal)).sqrt())
+            }
+        }
+    }
+}
+
+impl Contact {
+    /// Notes the faces about the slave nodes of a pair.
+    pub(super) fn add_slave_faces(&mut self, dofs: &DofMap, place: usize, pair: &ContactPair) {
+        let first = self.slave_faces.len();
+        let corner = |&node: &NodeIndex| (node, [0.0; 3], dofs.translations(node));
+        if pair.of_solids {
+            let elements = pair.elements.iter().map(|element| &element.nodes[..]);
+            let faces =
+                elements.map(|nodes| SlaveFace { corners: nodes.iter().map(corner).collect() });
+            self.slave_faces.extend(faces);
+        }
+        for face in &pair.faces {
+            let Some(cell) = face.cell() else { continue };
+            let corners = face.nodes[..cell.faces.len()].iter().map(corner).collect();
+            self.slave_faces.push(SlaveFace { corners });
+        }
+        let mut of_node: HashMap<NodeIndex, Vec<usize>> = HashMap::new();
+        for (own, face) in self.slave_faces.iter().enumerate().skip(first) {
+            for (node, ..) in &face.corners {
+                of_node.entry(*node).or_default().push(own);
+            }
+        }
+        for point in self.points.iter_mut().filter(|point| point.pair == place) {
+            point.faces = of_node.get(&point.node).cloned().unwrap_or_default();
+        }
+    }
+
+    /// Takes the positions of the faces of slave nodes, and which masters have sharp edges.
+    pub(super) fn take_slave_faces(&mut self, model: &Model) {
+        for (node, position, _) in self.slave_faces.iter_mut().flat_map(|face| &mut face.corners) {
+            *position = model.nodes.get(*node).position;
+        }
+        let Self { masters, sharp, .. } = self;
+        sharp.clear();
+        sharp.extend(masters.iter().map(|master| match master {
+            MasterSurface::Line { nodes, itself: None, .. } => {
+                sharp::is_sharp(nodes.iter().map(|(at, _)| *at))
+            }
+            MasterSurface::Faces { mesh, .. } => mesh.is_sharp(),
+            MasterSurface::Body { surface, .. } => surface.is_sharp(),
+            _ => false,
+        }));
+    }
+
+    /// What the faces of a slave node look at; everywhere where they are not known, and where its
+    /// master has no sharp edge.
+    pub(super) fn outlook(&self, point: &SlavePoint, u: &[f64]) -> Outlook {
+        let mut outlook = Outlook::EVERYWHERE;
+        if self.sharp[point.pair] {
+            for &face in &point.faces {
+                let (normal, size) = self.slave_faces[face].stands(u);
+                outlook.add(normal, size);
+            }
+        }
+        outlook
+    }
+}
