@@ -12,24 +12,14 @@
 //! the four markers of its body.
 
 use super::axes::{Bearing, axis, bearing_of_axis};
+pub use super::edges::{MeshFace, is_crease, surface_ends};
+use super::edges::{area, ends, faces_around, neighbours, nodes_at_ends, normal};
 use super::patch::{MOST_CORNERS, MOST_NODES, Patch};
 use super::star::{Corner, Star, StarNormal};
 use super::swept::Swept;
-use crate::element::cell::{Cell, QUAD4};
-use crate::vector::{Vector, cross, dot, scale, size, sub};
+use crate::element::cell::QUAD4;
+use crate::vector::{Vector, size};
 use std::collections::HashMap;
-
-/// Cosine of the angle between two faces from which on their common edge stays sharp: 45 degrees.
-const CREASE: f64 = std::f64::consts::FRAC_1_SQRT_2;
-
-/// A face by its cell and its nodes, counter-clockwise as seen from outside.
-#[derive(Debug, Clone)]
-pub struct MeshFace {
-    /// Its reference cell.
-    pub cell: &'static Cell,
-    /// Its nodes, corners first.
-    pub nodes: Vec<usize>,
-}
 
 /// What follows from the way in which faces are joined.
 #[derive(Debug, Clone)]
@@ -52,6 +42,10 @@ pub struct FaceMesh {
     swept: Option<Swept>,
     /// Whether two neighbours meet at a crease.
     is_sharp: bool,
+    /// Edges of each face at which the surface ends or has a crease.
+    ends: Vec<[bool; MOST_CORNERS]>,
+    /// The nodes on these edges, in order.
+    at_ends: Vec<usize>,
     /// Where friction has coefficients along the axes of the surface: how axis 1 stands to the first
     /// tangent in the middle of each face; empty else [1].
     axes: Vec<Bearing>,
@@ -103,7 +97,9 @@ impl FaceMesh {
                 Joined { neighbours: neighbours[own], around: beside, stencil, stars }
             })
             .collect();
-        Self { faces, joined, swept: None, is_sharp, axes: Vec::new() }
+        let ends = ends(&faces, &neighbours, joins);
+        let at_ends = nodes_at_ends(&faces, &ends);
+        Self { faces, joined, swept: None, is_sharp, ends, at_ends, axes: Vec::new() }
     }
 
     /// An analytical surface on the four markers of its body.
@@ -121,6 +117,8 @@ impl FaceMesh {
             joined: charts.map(|_| joined()).collect(),
             swept: Some(swept),
             is_sharp: false,
+            ends: Vec::new(),
+            at_ends: Vec::new(),
             axes: Vec::new(),
         }
     }
@@ -165,6 +163,16 @@ impl FaceMesh {
     /// The face behind an edge of a face.
     pub fn neighbour(&self, face: usize, edge: usize) -> Option<usize> {
         self.joined[face].neighbours[edge]
+    }
+
+    /// At which edges of a face the surface ends or has a crease.
+    pub fn ends(&self, face: usize) -> [bool; MOST_CORNERS] {
+        self.ends.get(face).copied().unwrap_or_default()
+    }
+
+    /// Whether the surface ends or has a crease at a node.
+    pub fn is_at_end(&self, node: usize) -> bool {
+        self.at_ends.binary_search(&node).is_ok()
     }
 
     /// Unit normal of a face between its corners [1]; zero of one without area.
@@ -227,68 +235,6 @@ impl FaceMesh {
 impl PlacedFace {
     /// Room for a face.
     pub const EMPTY: Self = Self { positions: Vec::new(), normals: Vec::new() };
-}
-
-/// The corner nodes of a face's edge.
-fn edge(face: &MeshFace, edge: usize) -> [usize; 2] {
-    let corners = face.cell.faces.len();
-    [face.nodes[edge], face.nodes[(edge + 1) % corners]]
-}
-
-/// The face behind each edge: where exactly two faces share it, in opposite directions.
-fn neighbours(faces: &[MeshFace]) -> Vec<[Option<usize>; MOST_CORNERS]> {
-    let mut sharing: HashMap<[usize; 2], Vec<(usize, usize)>> = HashMap::new();
-    for (place, face) in faces.iter().enumerate() {
-        for k in 0..face.cell.faces.len() {
-            let [a, b] = edge(face, k);
-            sharing.entry([a.min(b), a.max(b)]).or_default().push((place, k));
-        }
-    }
-    let mut all = vec![[None; MOST_CORNERS]; faces.len()];
-    for pair in sharing.values() {
-        if let [(f, k), (g, l)] = pair[..]
-            && edge(&faces[f], k)[0] == edge(&faces[g], l)[1]
-        {
-            all[f][k] = Some(g);
-            all[g][l] = Some(f);
-        }
-    }
-    all
-}
-
-/// Faces at every node, with the corner that they have there.
-fn faces_around(faces: &[MeshFace]) -> HashMap<usize, Vec<(usize, usize)>> {
-    let mut around: HashMap<usize, Vec<(usize, usize)>> = HashMap::new();
-    for (place, face) in faces.iter().enumerate() {
-        for corner in 0..face.cell.faces.len() {
-            around.entry(face.nodes[corner]).or_default().push((place, corner));
-        }
-    }
-    around
-}
-
-/// Whether faces of these unit normals meet at a crease.
-pub fn is_crease(a: Vector, b: Vector) -> bool {
-    dot(a, b) <= CREASE
-}
-
-/// The area of a face between its corners, along its normal [L2].
-fn area(face: &MeshFace, position: impl Fn(usize) -> Vector) -> Vector {
-    let at = |k: usize| position(face.nodes[k]);
-    let sides = match face.cell.faces.len() {
-        3 => [sub(at(1), at(0)), sub(at(2), at(0))],
-        _ => [sub(at(2), at(0)), sub(at(3), at(1))],
-    };
-    scale(cross(sides[0], sides[1]), 0.5)
-}
-
-/// Unit normal in the middle of a face; zero of one without area.
-fn normal(face: &MeshFace, position: impl Fn(usize) -> Vector) -> Vector {
-    let area = area(face, position);
-    match size(area) {
-        whole if whole > 0.0 => scale(area, 1.0 / whole),
-        _ => [0.0; 3],
-    }
 }
 
 /// The faces that a face is joined with round a node without crossing a crease, itself first; `at`

@@ -7,6 +7,7 @@
 //! ```
 
 pub mod axes;
+mod edges;
 pub mod jet;
 pub mod mesh;
 pub mod patch;

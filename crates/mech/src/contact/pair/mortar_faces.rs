@@ -14,6 +14,7 @@
 mod clip;
 mod couple;
 mod cover;
+mod ends;
 mod face_places;
 mod places;
 mod pull;
@@ -26,6 +27,7 @@ mod sweep;
 pub use clip::{Corner, Overlap};
 pub use couple::Couple;
 pub use cover::{Cover, Faced};
+pub use ends::{Ends, FaceEnds};
 pub use face_places::FacePlaces;
 pub use places::Place;
 pub use pull::{Carried, Load};

@@ -4,7 +4,8 @@ use super::super::master::MasterSurface;
 use super::super::pairs::Contact;
 use super::slave::{FaceMortar, SlaveFace};
 use slideline_mech::contact::pair::mortar_faces::{
-    Couple, Cover, FacePlaces, Faced, MOST_CORNERS, MOST_NODES, Overlap, Sums, Weights, corners,
+    Couple, Cover, Ends, FaceEnds, FacePlaces, Faced, MOST_CORNERS, MOST_NODES, Overlap, Sums,
+    Weights, corners,
 };
 use slideline_mech::contact::search::faces::{FaceTree, bounds, tree};
 use slideline_mech::surface::mesh::FaceMesh;
@@ -62,8 +63,9 @@ impl FaceState {
 
     /// The face with what an overlap faces.
     pub fn couple<'a>(&'a self, own: &'a SlaveFace, overlap: &Overlap) -> Couple<'a, f64> {
-        let master = &self.masters[overlap.master].places;
-        Couple { slave: &self.places, measure: &own.measure, master }
+        let Faced { places: master, ends, .. } = &self.masters[overlap.master];
+        let ends = Ends { slave: own.ends, master: *ends };
+        Couple { slave: &self.places, measure: &own.measure, master, ends }
     }
 
     /// Integrates over the overlaps; what faces nothing is left out.
@@ -174,7 +176,9 @@ impl FaceRoom {
                 let at = |k: usize| nodes.get(k).map_or([0.0; 3], |&node| masters[node]);
                 let places = FacePlaces { nodes: std::array::from_fn(at), count: nodes.len() };
                 let number = |k: usize| nodes.get(k).copied().unwrap_or_default();
-                near.push(Faced { face, nodes: std::array::from_fn(number), places });
+                let at_end = |k: usize| nodes.get(k).is_some_and(|&node| mesh.is_at_end(node));
+                let ends = FaceEnds { edges: mesh.ends(face), nodes: std::array::from_fn(at_end) };
+                near.push(Faced { face, nodes: std::array::from_fn(number), places, ends });
             }
         });
         near.sort_unstable_by_key(|own| own.face);

@@ -5,7 +5,7 @@ use slideline_mech::contact::pair::mortar_faces::{
     FacePlaces, MOST_CORNERS, MOST_NODES, corners, reference_areas,
 };
 use slideline_mech::surface::axes::{Bearing, bearing_of_axis};
-use slideline_mech::surface::mesh::smooth_groups;
+use slideline_mech::surface::mesh::{smooth_groups, surface_ends};
 use slideline_mech::vector::{Vector, add, cross, scale, size, sub};
 use slideline_model::{ContactPair, Model, NodeIndex};
 use std::collections::HashMap;
@@ -21,6 +21,8 @@ pub struct SlaveFace {
     pub points: [usize; MOST_CORNERS],
     /// Undeformed area by the coordinates of its cell, at its nodes [L2].
     pub measure: [f64; MOST_NODES],
+    /// Its edges at which the surface ends or has a crease.
+    pub ends: [bool; MOST_CORNERS],
 }
 
 /// The slave surface of a pair.
@@ -86,6 +88,7 @@ impl FaceMortar {
                 count: face.nodes.len(),
                 points: [0; MOST_CORNERS],
                 measure: [0.0; MOST_NODES],
+                ends: [false; MOST_CORNERS],
             };
             for (into, &node) in own.nodes.iter_mut().zip(&face.nodes) {
                 *into = *place_of.entry(node).or_insert_with(|| {
@@ -129,7 +132,10 @@ impl FaceMortar {
 
     /// Gives the faces beyond a sharp edge points of their own, and every point its faces.
     fn part(&mut self, model: &Model, pair: &ContactPair, slaves: usize) {
-        let groups = smooth_groups(&pair.mesh_faces(), |node| model.nodes.get(node).position);
+        let (mesh, at) = (pair.mesh_faces(), |node| model.nodes.get(node).position);
+        let groups = smooth_groups(&mesh, at);
+        let ends = surface_ends(&mesh, at);
+        self.faces.iter_mut().zip(ends).for_each(|(face, ends)| face.ends = ends);
         let mut owners: HashMap<(usize, usize), usize> = HashMap::new();
         let mut met = vec![false; slaves];
         let mut next = slaves;

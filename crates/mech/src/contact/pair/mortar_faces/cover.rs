@@ -7,6 +7,7 @@
 //! ```
 
 use super::clip::{Overlap, Polygon, Window};
+use super::ends::FaceEnds;
 use super::face_places::FacePlaces;
 use super::places::{dot, sub};
 use super::shapes::{MOST_NODES, pieces};
@@ -30,6 +31,8 @@ pub struct Faced {
     pub nodes: [usize; MOST_NODES],
     /// Where it stands.
     pub places: FacePlaces<f64>,
+    /// Where it is at an end of its surface.
+    pub ends: FaceEnds,
 }
 
 impl Faced {

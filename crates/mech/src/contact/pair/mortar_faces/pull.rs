@@ -192,7 +192,9 @@ impl<R: Real> Couple<'_, R> {
         let normal = placed.plane.normal;
         let one = R::from_f64(1.0);
         for (vertex, &corner) in overlap.corners().iter().enumerate() {
+            let own_by = placed.vertices[vertex].by;
             let by = chain.by_vertices[vertex];
+            let by: [R; 2] = std::array::from_fn(|k| by[0] * own_by[0][k] + by[1] * own_by[1][k]);
             let by_edge = |edge: usize| {
                 let way = flat_sub(of_node(edge + 1), of_node(edge)).map(R::from_f64);
                 by[0] * way[0] + by[1] * way[1]

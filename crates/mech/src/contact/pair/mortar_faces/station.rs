@@ -10,6 +10,7 @@
 
 use super::clip::{Corner, MOST, Overlap};
 use super::couple::Couple;
+use super::ends::identity;
 use super::face_places::{FacePlaces, Plane};
 use super::places::{Place, add_scaled, cross, dot, flat_add, flat_cross, flat_sub, scale, sub};
 use super::shapes::{MOST_CORNERS, MOST_NODES, Shapes, corners, middle, pieces, place_of, shapes};
@@ -55,6 +56,8 @@ pub(super) struct OnCell<R> {
     pub at: [R; 2],
     /// Along the edge that it stands upon: 0 to 1.
     pub along: R,
+    /// Derivatives by where it would stand, were it no end.
+    pub by: [[R; 2]; 2],
 }
 
 /// A place of integration.
@@ -183,9 +186,10 @@ impl<R: Real> Couple<'_, R> {
     pub(super) fn place(&self, overlap: &Overlap) -> Option<Placed<R>> {
         let plane = self.plane(overlap)?;
         let nothing = R::from_f64(0.0);
-        let mut vertices = [OnCell { at: [nothing; 2], along: nothing }; MOST];
+        let none = OnCell { at: [nothing; 2], along: nothing, by: identity() };
+        let mut vertices = [none; MOST];
         for (into, &corner) in vertices.iter_mut().zip(overlap.corners()) {
-            *into = self.on_cell(overlap, corner, &plane)?;
+            *into = self.end(overlap, corner, self.on_cell(overlap, corner, &plane)?);
         }
         Some(Placed { plane, vertices })
     }
@@ -194,22 +198,23 @@ impl<R: Real> Couple<'_, R> {
         let piece = pieces(self.slave.count)[overlap.piece];
         let of_node = |k: usize| place_of(self.slave.count, piece[k % piece.len()]);
         let nothing = R::from_f64(0.0);
+        let standing = |at: [R; 2]| OnCell { at, along: nothing, by: identity() };
         let upon = |edge: usize, along: R| {
             let [from, to] = [of_node(edge), of_node(edge + 1)];
             let way = flat_sub(to, from).map(R::from_f64);
-            OnCell { at: flat_add(from.map(R::from_f64), along, way), along }
+            OnCell { at: flat_add(from.map(R::from_f64), along, way), along, by: identity() }
         };
         let (own, master) = self.pieces(overlap);
         let at = |k: usize| own.nodes[k % piece.len()];
         Some(match corner {
-            Corner::Slave(k) => OnCell { at: of_node(k).map(R::from_f64), along: nothing },
+            Corner::Slave(k) => standing(of_node(k).map(R::from_f64)),
             Corner::Master(k) => {
                 let met = meet(&own, master.nodes[k], plane.normal)?;
                 let blended = |axis: usize| {
                     let of = met.shapes.value.iter().take(piece.len()).enumerate();
                     of.fold(nothing, |sum, (k, &by)| sum + by * R::from_f64(of_node(k)[axis]))
                 };
-                OnCell { at: [blended(0), blended(1)], along: nothing }
+                standing([blended(0), blended(1)])
             }
             Corner::Upon { edge, master: k } => {
                 let (from, way) = (at(edge), sub(at(edge + 1), at(edge)));

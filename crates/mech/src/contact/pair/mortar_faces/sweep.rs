@@ -57,7 +57,8 @@ impl SweepRoom {
         for first in (0..nodes).step_by(AT_ONCE) {
             let slave = seeded(couple.slave, (0, first));
             let master = seeded(couple.master, (of_slave, first));
-            let own = Couple { slave: &slave, measure: couple.measure, master: &master };
+            let (measure, ends) = (couple.measure, couple.ends);
+            let own = Couple { slave: &slave, measure, master: &master, ends };
             self.force.clear();
             self.force.resize(nodes, zero());
             if !own.pull(overlap, &[load], [&mut self.force]) {
