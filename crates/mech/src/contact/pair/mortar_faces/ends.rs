@@ -14,8 +14,11 @@ use super::shapes::{MOST_CORNERS, MOST_NODES, corners, pieces};
 use super::station::OnCell;
 use crate::differentiate::Real;
 
+/// Part of a cell beside an end of the slave in which bounds stand at it: there surfaces end together
+/// [1].
+const TOGETHER: f64 = 0.01;
 /// Part of a cell beside an end of the slave in which bounds go over into it [1].
-const WIDTH: f64 = 0.01;
+const WIDTH: f64 = 0.05;
 
 /// Where a face is at an end of its surface or at a crease of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -82,14 +85,19 @@ fn edge_between(count: usize, a: usize, b: usize) -> Option<usize> {
 
 /// The distance from an end after it went over, and its derivative.
 fn blunt<R: Real>(distance: R) -> Option<(R, R)> {
-    let width = R::from_f64(WIDTH);
-    let sigma = distance / width;
+    let number = |value: f64| R::from_f64(value);
+    let (wide, over) = (number(WIDTH), number(WIDTH - TOGETHER));
+    let sigma = (distance - number(TOGETHER)) / over;
     if sigma.value() >= 1.0 {
         return None;
     }
-    let whole = |value: f64| R::from_f64(value);
-    let slope = sigma * (whole(4.0) - whole(3.0) * sigma);
-    Some((width * sigma * sigma * (whole(2.0) - sigma), slope))
+    if sigma.value() <= 0.0 {
+        return Some((number(0.0), number(0.0)));
+    }
+    let (one, two, three) = (number(1.0), number(2.0), number(3.0));
+    let whole = sigma * sigma * (wide * (three - two * sigma) - over * (one - sigma));
+    let slope = sigma * (number(6.0) * wide * (one - sigma) / over + three * sigma - two);
+    Some((whole, slope))
 }
 
 fn unmoved<R: Real>(at: [R; 2]) -> Moved<R> {
@@ -156,14 +164,15 @@ mod tests {
     #[test]
     fn bounds_go_over_smoothly() {
         for (edge, on) in [0, 1, 2].map(|edge| (edge, on_triangle as fn(usize, [f64; 2]) -> _)) {
-            check(edge, [[0.4, 0.003], [0.6, 0.396], [0.003, 0.4]][edge], on);
+            check(edge, [[0.4, 0.02], [0.6, 0.38], [0.02, 0.4]][edge], on);
         }
         for (edge, on) in [0, 1, 2, 3].map(|edge| (edge, on_square as fn(usize, [f64; 2]) -> _)) {
-            check(edge, [[0.2, -0.991], [0.991, 0.3], [-0.2, 0.991], [-0.991, 0.1]][edge], on);
+            check(edge, [[0.2, -0.96], [0.96, 0.3], [-0.2, 0.96], [-0.96, 0.1]][edge], on);
         }
         let (whole, slope) = blunt(WIDTH * (1.0 - 1e-9)).unwrap();
         assert!((whole - WIDTH).abs() < 1e-10 && (slope - 1.0).abs() < 1e-8);
-        assert_eq!(blunt(0.0), Some((0.0, 0.0)));
+        assert_eq!(blunt(TOGETHER), Some((0.0, 0.0)));
+        assert_eq!(blunt(-1e-9), Some((0.0, 0.0)));
         assert_eq!(blunt(WIDTH), None);
     }
 
