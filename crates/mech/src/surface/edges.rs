@@ -74,7 +74,7 @@ pub(super) fn ends(
 }
 
 /// The nodes on edges at which a surface ends, in order.
-pub(super) fn nodes_at_ends(faces: &[MeshFace], ends: &[[bool; MOST_CORNERS]]) -> Vec<usize> {
+pub fn nodes_at_ends(faces: &[MeshFace], ends: &[[bool; MOST_CORNERS]]) -> Vec<usize> {
     let mut nodes = Vec::new();
     for (face, ends) in faces.iter().zip(ends) {
         let corners = face.cell.faces.len();

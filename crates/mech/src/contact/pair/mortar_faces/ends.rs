@@ -11,7 +11,6 @@
 use super::clip::{Corner, Overlap};
 use super::couple::Couple;
 use super::shapes::{MOST_CORNERS, MOST_NODES, corners, pieces};
-use super::station::OnCell;
 use crate::differentiate::Real;
 
 /// Part of a cell beside an end of the slave in which bounds stand at it: there surfaces end together
@@ -32,37 +31,72 @@ pub struct FaceEnds {
 /// Where a slave face and what it faces are at ends of their surfaces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Ends {
-    /// Edges of the slave.
-    pub slave: [bool; MOST_CORNERS],
-    /// The face of the master.
+    /// The face of the slave.
+    pub slave: FaceEnds,
+    /// That of the master.
     pub master: FaceEnds,
 }
 
 /// A place on a cell after it went over, with its derivatives by the one before.
-type Moved<R> = ([R; 2], [[R; 2]; 2]);
+pub(super) type Moved<R> = ([R; 2], [[R; 2]; 2]);
 
 impl<R: Real> Couple<'_, R> {
-    /// A corner of an overlap that ends of both sides bound goes over into the end of the slave.
-    pub(super) fn end(&self, overlap: &Overlap, corner: Corner, own: OnCell<R>) -> OnCell<R> {
+    /// Where a corner of the master upon a piece stands after it went over into the end of the slave; in
+    /// coordinates of the piece.
+    pub(super) fn end_upon(&self, overlap: &Overlap, corner: Corner, at: [R; 2]) -> Moved<R> {
         if !self.is_end(overlap, corner) {
-            return own;
+            return unmoved(at);
         }
-        let cell = corners(self.slave.count);
-        let edges = (0..cell).filter(|&edge| self.ends.slave[edge]);
-        edges.fold(own, |own, edge| {
-            let (at, by) = match cell {
-                3 => on_triangle(edge, own.at),
-                _ => on_square(edge, own.at),
+        let piece = pieces(self.slave.count)[overlap.piece];
+        let is_at_end = |edge: usize| {
+            let ends = [piece[edge], piece[(edge + 1) % piece.len()]];
+            let own = edge_between(self.slave.count, ends[0], ends[1]);
+            own.is_some_and(|edge| self.ends.slave.edges[edge])
+        };
+        let edges = (0..piece.len()).filter(|&edge| is_at_end(edge));
+        edges.fold(unmoved(at), |(at, by), edge| {
+            let (at, more) = match piece.len() {
+                3 => on_triangle(edge, at),
+                _ => on_square(edge, at),
             };
-            OnCell { at, by: product(by, own.by), ..own }
+            (at, product(more, by))
         })
     }
 
-    /// Whether a corner is where the surface of the master ends.
+    /// How far along an edge of a piece a corner stands after it went over into the end of the slave that
+    /// the edge leaves, with the derivative.
+    pub(super) fn end_along(
+        &self,
+        overlap: &Overlap,
+        corner: Corner,
+        (edge, along): (usize, R),
+    ) -> (R, R) {
+        let one = R::from_f64(1.0);
+        if !self.is_end(overlap, corner) {
+            return (along, one);
+        }
+        let piece = pieces(self.slave.count)[overlap.piece];
+        let nodes = [piece[edge], piece[(edge + 1) % piece.len()]];
+        let own = edge_between(self.slave.count, nodes[0], nodes[1]);
+        if own.is_some_and(|edge| self.ends.slave.edges[edge]) {
+            return (along, one);
+        }
+        let [first, second] = nodes.map(|node| self.ends.slave.nodes[node]);
+        let from = |distance: R, is_end: bool| blunt(distance).filter(|_| is_end);
+        if let Some(moved) = from(along, first) {
+            moved
+        } else if let Some((distance, slope)) = from(one - along, second) {
+            (one - distance, slope)
+        } else {
+            (along, one)
+        }
+    }
+
+    /// Whether a corner is where the surface of the master ends, and that of the slave near.
     fn is_end(&self, overlap: &Overlap, corner: Corner) -> bool {
         let Ends { slave, master } = &self.ends;
         let piece = pieces(self.master.count)[overlap.master_piece];
-        slave.contains(&true)
+        slave.nodes.contains(&true)
             && match corner {
                 Corner::Slave(_) => false,
                 Corner::Master(k) | Corner::Upon { master: k, .. } => master.nodes[piece[k]],

@@ -192,24 +192,27 @@ impl<R: Real> Couple<'_, R> {
         let normal = placed.plane.normal;
         let one = R::from_f64(1.0);
         for (vertex, &corner) in overlap.corners().iter().enumerate() {
-            let own_by = placed.vertices[vertex].by;
+            let stands = &placed.vertices[vertex];
             let by = chain.by_vertices[vertex];
-            let by: [R; 2] = std::array::from_fn(|k| by[0] * own_by[0][k] + by[1] * own_by[1][k]);
             let by_edge = |edge: usize| {
                 let way = flat_sub(of_node(edge + 1), of_node(edge)).map(R::from_f64);
-                by[0] * way[0] + by[1] * way[1]
+                stands.slope * (by[0] * way[0] + by[1] * way[1])
             };
-            let along = placed.vertices[vertex].along;
+            let along = stands.along;
             match corner {
                 Corner::Slave(_) => {}
                 Corner::Master(k) => {
                     let Some(met) = meet(&own, other.nodes[k], normal) else { continue };
-                    let by_cell = [0, 1].map(|axis: usize| {
+                    // the coordinates of a face are linear in those of its pieces
+                    let by_moved = [0, 1].map(|axis: usize| {
                         let of = met.shapes.slope[axis].iter().take(piece.len()).enumerate();
                         of.fold(R::from_f64(0.0), |sum, (k, &slope)| {
                             let place = of_node(k).map(R::from_f64);
                             sum + slope * (by[0] * place[0] + by[1] * place[1])
                         })
+                    });
+                    let by_cell = [0, 1].map(|axis: usize| {
+                        by_moved[0] * stands.by[0][axis] + by_moved[1] * stands.by[1][axis]
                     });
                     let lifted = lift(&met.along, normal, by_cell);
                     chain.push(master(k), one, lifted);

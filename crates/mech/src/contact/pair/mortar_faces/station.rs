@@ -56,7 +56,9 @@ pub(super) struct OnCell<R> {
     pub at: [R; 2],
     /// Along the edge that it stands upon: 0 to 1.
     pub along: R,
-    /// Derivatives by where it would stand, were it no end.
+    /// Derivative of where it stands by `along`, were it no end, [1]; of corners upon the piece: of
+    /// the coordinates of the piece.
+    pub slope: R,
     pub by: [[R; 2]; 2],
 }
 
@@ -119,6 +121,17 @@ impl FacePlaces<f64> {
         }
         areas
     }
+}
+
+/// The coordinates of a piece of so many corners where its shape functions have these values.
+fn place_upon<R: Real>(corners: usize, value: &[R; MOST_NODES]) -> [R; 2] {
+    let blended = |axis: usize| {
+        let of = value.iter().take(corners).enumerate();
+        of.fold(R::from_f64(0.0), |sum, (k, &by)| {
+            sum + by * R::from_f64(place_of(corners, k)[axis])
+        })
+    };
+    [blended(0), blended(1)]
 }
 
 /// The place of a face on the line through `from` along `normal`, near the face; `None` where there
@@ -186,10 +199,11 @@ impl<R: Real> Couple<'_, R> {
     pub(super) fn place(&self, overlap: &Overlap) -> Option<Placed<R>> {
         let plane = self.plane(overlap)?;
         let nothing = R::from_f64(0.0);
-        let none = OnCell { at: [nothing; 2], along: nothing, by: identity() };
+        let (one, by) = (R::from_f64(1.0), identity());
+        let none = OnCell { at: [nothing; 2], along: nothing, slope: one, by };
         let mut vertices = [none; MOST];
         for (into, &corner) in vertices.iter_mut().zip(overlap.corners()) {
-            *into = self.end(overlap, corner, self.on_cell(overlap, corner, &plane)?);
+            *into = self.on_cell(overlap, corner, &plane)?;
         }
         Some(Placed { plane, vertices })
     }
@@ -198,23 +212,28 @@ impl<R: Real> Couple<'_, R> {
         let piece = pieces(self.slave.count)[overlap.piece];
         let of_node = |k: usize| place_of(self.slave.count, piece[k % piece.len()]);
         let nothing = R::from_f64(0.0);
-        let standing = |at: [R; 2]| OnCell { at, along: nothing, by: identity() };
+        let one = R::from_f64(1.0);
+        let standing = |at: [R; 2], by| OnCell { at, along: nothing, slope: one, by };
         let upon = |edge: usize, along: R| {
             let [from, to] = [of_node(edge), of_node(edge + 1)];
             let way = flat_sub(to, from).map(R::from_f64);
-            OnCell { at: flat_add(from.map(R::from_f64), along, way), along, by: identity() }
+            let (to, slope) = self.end_along(overlap, corner, (edge, along));
+            OnCell { at: flat_add(from.map(R::from_f64), to, way), along, slope, by: identity() }
         };
         let (own, master) = self.pieces(overlap);
         let at = |k: usize| own.nodes[k % piece.len()];
         Some(match corner {
-            Corner::Slave(k) => standing(of_node(k).map(R::from_f64)),
+            Corner::Slave(k) => standing(of_node(k).map(R::from_f64), identity()),
             Corner::Master(k) => {
                 let met = meet(&own, master.nodes[k], plane.normal)?;
+                let upon = place_upon(piece.len(), &met.shapes.value);
+                let (moved, by) = self.end_upon(overlap, corner, upon);
+                let own = shapes::<R>(piece.len(), moved).value;
                 let blended = |axis: usize| {
-                    let of = met.shapes.value.iter().take(piece.len()).enumerate();
+                    let of = own.iter().take(piece.len()).enumerate();
                     of.fold(nothing, |sum, (k, &by)| sum + by * R::from_f64(of_node(k)[axis]))
                 };
-                standing([blended(0), blended(1)])
+                standing([blended(0), blended(1)], by)
             }
             Corner::Upon { edge, master: k } => {
                 let (from, way) = (at(edge), sub(at(edge + 1), at(edge)));

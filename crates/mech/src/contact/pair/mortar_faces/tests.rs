@@ -128,8 +128,8 @@ fn cases() -> Vec<Case> {
     all.extend(kinds.into_iter().flat_map(|a| kinds.map(|b| [a, b])).map(|nodes| {
         let slave = face(nodes[0], [0.0; 3], 0.001, false, &mut random);
         let master = face(nodes[1], [-0.05, -0.04, 0.2], 0.004, true, &mut random);
-        let of_master = FaceEnds { edges: [true; MOST_CORNERS], nodes: [true; MOST_NODES] };
-        let ends = Ends { slave: [true; MOST_CORNERS], master: of_master };
+        let all_ends = FaceEnds { edges: [true; MOST_CORNERS], nodes: [true; MOST_NODES] };
+        let ends = Ends { slave: all_ends, master: all_ends };
         Case { slave, master, measure: reference_areas(&slave), ends }
     }));
     all
