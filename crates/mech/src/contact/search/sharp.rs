@@ -192,3 +192,47 @@ impl About<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A block 2 wide and 1 high, travelled over its top; the outside is on the left.
+    const BLOCK: [[f64; 3]; 4] =
+        [[0.0, -1.0, 0.0], [0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, -1.0, 0.0]];
+
+    fn facing(at: [f64; 2], normals: &[Vector]) -> Option<(usize, PieceKind)> {
+        let mut chain = Chain::new(&BLOCK, 0.2, 0.1)?;
+        chain.slave = 1.0;
+        let mut outlook = Outlook::EVERYWHERE;
+        normals.iter().for_each(|&normal| outlook.add(normal, 1.0));
+        let point = [at[0], at[1], 0.0];
+        let found = closest(&chain, &BLOCK, Nearby::Positions, (point, &outlook))?;
+        Some((found.index, found.kind))
+    }
+
+    /// Requirement: a corner that stands on an edge faces the top, prolonged, then its nose, then the
+    /// side; one that stands beside faces the side; without faces the smoothed corner counts.
+    #[test]
+    fn a_corner_faces_the_top_that_it_stands_on() {
+        let upon = [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0]];
+        let (top, nose) = ((1, PieceKind::Straight), (2, PieceKind::Nose { ahead: true }));
+        assert_eq!(facing([2.0, -0.001], &upon), Some(top));
+        assert_eq!(facing([2.05, -0.001], &upon), Some(top));
+        assert_eq!(facing([2.15, -0.001], &upon), Some(nose));
+        assert_eq!(facing([2.3, -0.5], &upon), Some((2, PieceKind::Straight)));
+        let beside = [[0.0, -1.0, 0.0], [-1.0, 0.0, 0.0]];
+        assert_eq!(facing([1.999, -0.4], &beside), Some((2, PieceKind::Straight)));
+        assert_eq!(facing([2.0, -0.001], &[]), Some((2, PieceKind::Corner)));
+        let left = [[0.0, -1.0, 0.0], [-1.0, 0.0, 0.0]];
+        let other = (1, PieceKind::Nose { ahead: false });
+        assert_eq!(facing([-0.15, -0.001], &left), Some(other));
+    }
+
+    /// Requirement: what lies deep beside a block is not drawn upon its top.
+    #[test]
+    fn what_stands_beside_stays_there() {
+        let below = [[0.0, -1.0, 0.0]];
+        assert_eq!(facing([2.01, -0.9], &below), Some((2, PieceKind::Straight)));
+    }
+}
