@@ -33,6 +33,7 @@ mod presence;
 mod search;
 mod segment;
 mod shear;
+mod slave_face;
 mod slip;
 mod stand;
 mod stencil;

@@ -19,7 +19,9 @@ use super::pairs::{Carrier, Contact};
 use super::positions::{MasterPositions, distance};
 use crate::constraints::Constraints;
 use crate::state::PointState;
+use slideline_mech::contact::pair::{Body, RigidSurface};
 use slideline_mech::contact::search::faces::near_way;
+use slideline_mech::contact::search::outlook::Outlook;
 use slideline_mech::contact::search::pass::cross_faces;
 use slideline_mech::contact::search::sweep::{apart, cross_parts};
 use slideline_mech::turn::Turn;
@@ -184,18 +186,10 @@ impl Contact {
                     });
                 }
                 MasterSurface::Body { surface, .. } => {
-                    let body = |end: usize| self.masters[pair].placed_body(&u[end]);
-                    let outlook = self.outlook(point, &u[1]).turned(|n| body(1).turn_back(n));
-                    let local = [0, 1].map(|end| body(end).to_body(way[end]));
-                    surface.crossings((local[0], local[1]), |crossing, along| {
-                        if !outlook.meets(crossing.normal) {
-                            return;
-                        }
-                        let t = crossing.fraction;
-                        let at = between(local[0], local[1], t);
-                        let (normal, inward) = (crossing.normal, crossing.inward);
-                        let event = Event { fraction: share(t), along, normal, at, inward };
-                        events.push((place, event));
+                    let bodies = [0, 1].map(|end| self.masters[pair].placed_body(&u[end]));
+                    let outlook = self.outlook(point, &u[1]);
+                    cross_body(surface, bodies, (way, &outlook), |own| {
+                        events.push((place, Event { fraction: share(own.fraction), ..own }));
                     });
                 }
                 MasterSurface::Line { chain, nodes, offset, itself, .. } => {
@@ -395,6 +389,24 @@ impl Contact {
         }
         first
     }
+}
+
+/// The crossings of the way of a slave node through a rigid surface, by what its faces look at.
+fn cross_body(
+    surface: &RigidSurface,
+    bodies: [Body; 2],
+    (way, outlook): ([[f64; 3]; 2], &Outlook),
+    mut each: impl FnMut(Event),
+) {
+    let outlook = outlook.turned(|normal| bodies[1].turn_back(normal));
+    let local = [0, 1].map(|end| bodies[end].to_body(way[end]));
+    surface.crossings((local[0], local[1]), |crossing, along| {
+        if outlook.meets(crossing.normal) {
+            let at = between(local[0], local[1], crossing.fraction);
+            let (normal, inward, fraction) = (crossing.normal, crossing.inward, crossing.fraction);
+            each(Event { fraction, along, normal, at, inward });
+        }
+    });
 }
 
 /// The place at a fraction of the way from `a` to `b` [L].

@@ -64,13 +64,19 @@ pub enum MasterSurface {
 }
 
 impl MasterSurface {
-    /// The master of a chain of nodes.
-    pub fn chain(model: &Model, dofs: &DofMap, line: &SlideLine, offset: usize) -> MasterSurface {
+    /// The master of a chain of nodes; faces of the slave are so long [L].
+    pub fn chain(
+        model: &Model,
+        dofs: &DofMap,
+        line: &SlideLine,
+        (offset, slave): (usize, f64),
+    ) -> MasterSurface {
         let at = |&node: &_| model.nodes.get(node).position;
         let reference: Vec<_> = line.nodes.iter().map(at).collect();
         let nodes = line.nodes.iter().map(|node| (at(node), dofs.translations(*node)));
         match Chain::new(&reference, line.smooth, line.extension) {
-            Some(chain) => {
+            Some(mut chain) => {
+                chain.slave = slave;
                 let middles = line.middles.clone();
                 let (nodes, itself) = (nodes.collect(), None);
                 MasterSurface::Line { chain, nodes, offset, middles, itself }

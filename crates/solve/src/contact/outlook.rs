@@ -8,40 +8,12 @@
 
 use super::master::MasterSurface;
 use super::pairs::{Contact, SlavePoint};
-use crate::dofs::{DofMap, Translations};
+use super::slave_face::SlaveFace;
+use crate::dofs::DofMap;
 use slideline_mech::contact::search::outlook::Outlook;
 use slideline_mech::contact::search::sharp;
-use slideline_mech::vector::{cross, size, sub};
 use slideline_model::{ContactPair, Model, NodeIndex};
 use std::collections::HashMap;
-
-/// A face of a slave surface by its corners: nodes, undeformed positions [L], dofs.
-#[derive(Clone, Debug)]
-pub(super) struct SlaveFace {
-    corners: Vec<(NodeIndex, [f64; 3], Translations)>,
-}
-
-impl SlaveFace {
-    /// Its normal, of any length, and its size [L], at displacements `u`.
-    fn stands(&self, u: &[f64]) -> ([f64; 3], f64) {
-        let at = |k: usize| self.corners[k].2.displace(self.corners[k].1, u);
-        match self.corners.len() {
-            // in the plane, the material on the left
-            2 => {
-                let [x, y, _] = sub(at(1), at(0));
-                ([y, -x, 0.0], x.hypot(y))
-            }
-            count => {
-                let [a, b] = match count {
-                    3 => [sub(at(1), at(0)), sub(at(2), at(0))],
-                    _ => [sub(at(2), at(0)), sub(at(3), at(1))],
-                };
-                let normal = cross(a, b);
-                (normal, (0.5 * size(normal)).sqrt())
-            }
-        }
-    }
-}
 
 impl Contact {
     /// Notes the faces about the slave nodes of a pair.

@@ -3,8 +3,8 @@
 use super::master::MasterSurface;
 use super::mortar::slave::Mortar;
 use super::mortar_faces::slave::FaceMortar;
-use super::outlook::SlaveFace;
 use super::segment::{SEGMENT_POINTS, SlaveSegment};
+use super::slave_face::SlaveFace;
 use crate::dofs::Translations;
 use crate::state::PointState;
 use slideline_mech::contact::friction::FrictionLaw;

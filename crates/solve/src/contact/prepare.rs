@@ -54,7 +54,7 @@ impl Contact {
             let master = match &pair.master {
                 Master::RigidSurface(surface) => MasterSurface::body(model, dofs, surface, length),
                 Master::SlideLine(line) => {
-                    MasterSurface::chain(model, dofs, line, contact.chain_nodes)
+                    MasterSurface::chain(model, dofs, line, (contact.chain_nodes, length))
                 }
                 Master::Faces(faces) => {
                     MasterSurface::faces(model, dofs, faces, contact.chain_nodes)

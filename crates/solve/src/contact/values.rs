@@ -167,6 +167,7 @@ impl Contact {
                 }
                 let ends = line.nodes.windows(2);
                 let lengths = ends.map(|ends| distance(model, [ends[0], ends[1]]));
+                chain.slave = slave;
                 chain.take(lengths, line.smooth, line.extension)
             }
             (MasterSurface::Faces { mesh, nodes, extension, .. }, Master::Faces(faces)) => {
@@ -189,7 +190,7 @@ impl Contact {
                 own_parts(model, surface, &listed_nodes(surface)).is_none()
             }
             (MasterSurface::Nothing, Master::SlideLine(line)) => {
-                let made = MasterSurface::chain(model, dofs, line, 0);
+                let made = MasterSurface::chain(model, dofs, line, (0, slave));
                 matches!(made, MasterSurface::Nothing)
             }
             _ => false,

@@ -59,6 +59,38 @@ impl Weights<3> {
     }
 }
 
+impl Weights<3> {
+    /// Nose beyond the sharp edge at the middle one of the nodes (k-1, k, k+1). It begins where the
+    /// segment before the edge, prolonged by the fraction `before` of it, ends; it goes on by the same
+    /// and down by the fraction `behind` of the one behind. Not `ahead`: the same before the segment
+    /// behind the edge.
+    pub fn nose(xi: f64, [before, behind]: [f64; 2], ahead: bool) -> Self {
+        let control = match ahead {
+            true => [
+                [-before, 1.0 + before, 0.0],
+                [-2.0 * before, 1.0 + 2.0 * before, 0.0],
+                [-2.0 * before, 1.0 + 2.0 * before - behind, behind],
+            ],
+            false => [
+                [before, 1.0 + 2.0 * behind - before, -2.0 * behind],
+                [0.0, 1.0 + 2.0 * behind, -2.0 * behind],
+                [0.0, 1.0 + behind, -behind],
+            ],
+        };
+        let bezier = Self::quadratic(xi);
+        let blend = |s: [f64; 3]| {
+            let of_node = |node: usize| (0..3).map(|k| s[k] * control[k][node]).sum::<f64>();
+            [of_node(0), of_node(1), of_node(2)]
+        };
+        Self {
+            value: blend(bezier.value),
+            first: blend(bezier.first),
+            second: blend(bezier.second),
+            third: [0.0; 3],
+        }
+    }
+}
+
 impl Weights<4> {
     /// Cubic Bezier curve.
     pub fn cubic(xi: f64) -> Self {

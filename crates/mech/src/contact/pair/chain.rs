@@ -3,6 +3,7 @@
 use super::super::gap::Order;
 use super::super::gap::curve::{Along, Weights, overclosure, point_to_curve};
 use super::super::search::chain::{Chain, Piece, PieceKind, flat};
+use super::super::search::sharp::reach;
 use super::stencil::{AnyGap, StencilAttachments};
 use crate::rigid::Attachment;
 
@@ -32,6 +33,12 @@ pub fn chain_gap<O: Order>(
             let along = Along::corner(chain.arc_coordinate(k), a1, a2, xi);
             point_to_curve(point, &control, &Weights::corner(xi, f), &along, xi).map(AnyGap::Curved)
         }
+        PieceKind::Nose { ahead } => {
+            let before = k.checked_sub(1)?;
+            let control = [at(before)?, at(k)?, at(k + 1)?];
+            let (weights, along) = nose(chain, k, ahead, xi);
+            point_to_curve(point, &control, &weights, &along, xi).map(AnyGap::Curved)
+        }
     }
 }
 
@@ -50,6 +57,11 @@ pub fn chain_overclosure(
             Along::straight(chain.arc_coordinate(piece.index), length(piece.index), xi),
         ),
         [a, b, c] => {
+            if let PieceKind::Nose { ahead } = piece.kind {
+                let (weights, along) = nose(chain, piece.index, ahead, xi);
+                let over = overclosure(point, &[a, b, c].map(flat), &weights);
+                return Some([over?, along.value]);
+            }
             let f = chain.smoothing;
             let (before, behind) = (f * length(piece.index - 1), f * length(piece.index));
             let node = chain.arc_coordinate(piece.index);
@@ -62,6 +74,14 @@ pub fn chain_overclosure(
         _ => return None,
     };
     Some([over?, along.value])
+}
+
+/// Weights of the nose at an edge, and the coordinate along it.
+fn nose(chain: &Chain, node: usize, ahead: bool, xi: f64) -> (Weights<3>, Along) {
+    let (way, fractions) = reach(chain, node);
+    let shift = if ahead { 2.0 * way } else { -2.0 * way };
+    let along = Along::corner(chain.arc_coordinate(node) + shift, way, way, xi);
+    (Weights::nose(xi, fractions, ahead), along)
 }
 
 /// Attachments of a chain stencil: the slave, then the piece's nodes, given in order.

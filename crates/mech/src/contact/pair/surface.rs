@@ -45,12 +45,14 @@ impl RigidSurface {
         whole
     }
 
-    /// Prolongs open ends straight by `extension` of their segments, or of `slave` [L] where that is
-    /// shorter.
+    /// Prolongs open ends by `extension` of the segments there, or of `slave` [L] where that is shorter,
+    /// straight and then by rounded noses, which are none that may pass between points.
     pub fn prolong(&mut self, extension: f64, slave: f64) {
         if extension > 0.0 && self.period.is_none() {
             rigid::prolong(&mut self.segments, |end| extension * end.length().min(slave));
+            let noses = std::mem::take(&mut self.noses);
             self.measure();
+            self.noses = noses;
         }
     }
 

@@ -134,3 +134,35 @@ fn slip_wraps_at_the_period() {
     assert_eq!(slip(&history, to, None), to - from);
     assert_eq!(slip(&History::default(), to, None), Tangential::ZERO);
 }
+
+/// Requirement: the gap to the nose beyond a sharp edge is the distance from its parabola, and its
+/// coordinate goes on from that of the straight part, on either side.
+#[test]
+fn gaps_to_noses_are_distances_from_their_parabolas() {
+    use super::super::search::chain::{Chain, Nearby, PieceKind};
+    use super::super::search::outlook::Outlook;
+    use super::super::search::sharp;
+    let block = [[0.0, -1.5, 0.0], [0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, -1.0, 0.0]];
+    let mut chain = Chain::new(&block, 0.2, 0.1).unwrap();
+    chain.slave = 0.5;
+    let mut outlook = Outlook::EVERYWHERE;
+    outlook.add([0.0, -1.0, 0.0], 0.5);
+    // a way of 0.05 prolongs the top; the nose goes on by 0.05 and down by 0.05
+    for (edge, out, ahead) in [(2.0, 1.0, true), (0.0, -1.0, false)] {
+        let point = [edge + out * 0.08, 0.03, 0.0];
+        let at = (point, &outlook);
+        let piece = sharp::closest(&chain, &block, Nearby::Positions, at).unwrap();
+        assert_eq!(piece.kind, PieceKind::Nose { ahead });
+        let [over, along] = super::chain::chain_overclosure(&chain, &piece, &block, point).unwrap();
+        let least = (0..=20_000).map(|k| {
+            let s = f64::from(k) / 20_000.0;
+            let (x, y) = (0.05 + 0.1 * s - 0.05 * s * s, -0.05 * s * s);
+            (point[0] - edge - out * x).hypot(point[1] - y)
+        });
+        let least = least.fold(f64::INFINITY, f64::min);
+        assert!((over + least).abs() < 1e-8, "{over} {least}");
+        let from = if ahead { 3.5 } else { 1.5 };
+        let on = out * (along - from);
+        assert!((0.05..0.15).contains(&on), "{along}");
+    }
+}

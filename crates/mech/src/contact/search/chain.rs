@@ -60,6 +60,12 @@ pub enum PieceKind {
     Straight,
     /// Smoothed corner at node `index`, on the nodes `index - 1`, `index`, `index + 1`.
     Corner,
+    /// Nose at the sharp edge at node `index`, on the same nodes: it prolongs the straight part before
+    /// it, or not `ahead` the one behind it, and turns away ([`super::sharp`]).
+    Nose {
+        /// Which part it prolongs.
+        ahead: bool,
+    },
 }
 
 /// The piece that faces a point.
@@ -78,7 +84,9 @@ impl Piece {
     pub fn nodes(&self) -> std::ops::Range<usize> {
         match self.kind {
             PieceKind::Straight => self.index..self.index + 2,
-            PieceKind::Corner => self.index.saturating_sub(1)..self.index + 2,
+            PieceKind::Corner | PieceKind::Nose { .. } => {
+                self.index.saturating_sub(1)..self.index + 2
+            }
         }
     }
 }
@@ -90,6 +98,8 @@ pub struct Chain {
     pub smoothing: f64,
     /// Fraction of the end segments by which the ends are prolonged (`EXTENSION ZONE`).
     pub extension: f64,
+    /// Mean length of the slave faces that may stand about its sharp edges [L].
+    pub slave: f64,
     lengths: Vec<f64>,
     arc: Vec<f64>,
 }
@@ -125,6 +135,7 @@ impl Chain {
         let mut chain = Self {
             smoothing,
             extension,
+            slave: f64::INFINITY,
             lengths: Vec::with_capacity(segments),
             arc: Vec::with_capacity(segments + 1),
         };

@@ -167,19 +167,27 @@ pub fn beyond_end(segments: &[RigidSegment], point: Point) -> Option<BeyondEnd> 
     ends.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, place)| place)
 }
 
-/// Prolongs both ends of an open surface along their tangents, each segment there by so much [L].
+/// Prolongs both ends of an open surface, each by so much for its segment [L]: straight, then by a
+/// quarter of a circle of that radius that turns away.
 pub fn prolong(segments: &mut Vec<RigidSegment>, by: impl Fn(&RigidSegment) -> f64) {
     let (Some(&first), Some(&last)) = (segments.first(), segments.last()) else { return };
-    let on = |from: Point, tangent: Point, by: f64| [0, 1].map(|c| from[c] + by * tangent[c]);
-    let start = on(first.start(), first.tangent(true), -by(&first));
-    let end = on(last.end(), last.tangent(false), by(&last));
-    match segments.first_mut() {
-        Some(RigidSegment::Line { a, .. }) => *a = start,
-        _ => segments.insert(0, RigidSegment::Line { a: start, b: first.start() }),
-    }
-    match segments.last_mut() {
-        Some(RigidSegment::Line { b, .. }) => *b = end,
-        _ => segments.push(RigidSegment::Line { a: last.end(), b: end }),
+    // the outside is on the left of travel, the centre on the right
+    let beyond = |from: Point, [x, y]: Point, by: f64, ahead: bool| {
+        let way = if ahead { by } else { -by };
+        let on = [from[0] + way * x, from[1] + way * y];
+        let centre = [on[0] + by * y, on[1] - by * x];
+        let end = [centre[0] + way * x, centre[1] + way * y];
+        let [a, b] = if ahead { [from, on] } else { [on, from] };
+        let [start, stop] = if ahead { [on, end] } else { [end, on] };
+        (RigidSegment::Line { a, b }, RigidSegment::arc(start, stop, centre))
+    };
+    let (line, arc) = beyond(last.end(), last.tangent(false), by(&last), true);
+    segments.push(line);
+    segments.extend(arc);
+    let (line, arc) = beyond(first.start(), first.tangent(true), by(&first), false);
+    segments.insert(0, line);
+    if let Some(arc) = arc {
+        segments.insert(0, arc);
     }
 }
 

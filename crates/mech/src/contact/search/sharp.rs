@@ -10,7 +10,7 @@
 
 use super::chain::{Chain, Nearby, Piece, PieceKind, flat};
 use super::outlook::{BEYOND, Outlook, SUNK};
-use super::{Point, cross, dot, project_line, sub};
+use super::{INSIDE, Point, cross, dot, project_line, project_quadratic, sub};
 use crate::vector::Vector;
 
 /// Turn from which on a node of a chain is a sharp edge [rad].
@@ -28,7 +28,7 @@ pub fn closest(
     if outlook.is_everywhere() {
         return Some(found);
     }
-    let about = About { positions, point: flat(point), outlook };
+    let about = About { chain, positions, point: flat(point), outlook };
     Some(about.other_side(&found).unwrap_or(found))
 }
 
@@ -46,6 +46,14 @@ pub fn is_sharp(mut positions: impl Iterator<Item = [f64; 3]>) -> bool {
 /// Whether an edge between these two ways is a sharp one; the outside is on their left.
 pub(super) fn turns_away(before: Point, behind: Point) -> bool {
     cross(before, behind).atan2(dot(before, behind)) < -SHARP
+}
+
+/// How far the nose at an edge reaches beyond it [L], and what part that is of the segments before and
+/// behind it, all undeformed.
+pub fn reach(chain: &Chain, node: usize) -> (f64, [f64; 2]) {
+    let [before, behind] = [node.saturating_sub(1), node].map(|part| chain.reference_length(part));
+    let way = BEYOND * before.min(behind).min(chain.slave);
+    (way, [way / before, way / behind])
 }
 
 /// Whether a chain turns away sharply at a node between its ends; the outside is on its left.
@@ -66,6 +74,7 @@ fn length(way: Point) -> f64 {
 
 /// A slave node about a chain.
 struct About<'a> {
+    chain: &'a Chain,
     positions: &'a [[f64; 3]],
     point: Point,
     outlook: &'a Outlook,
@@ -91,6 +100,7 @@ impl About<'_> {
                 (false, true) => self.part(node, node),
                 _ => None,
             },
+            PieceKind::Nose { .. } => None,
             PieceKind::Straight if self.meets(found.index) => None,
             PieceKind::Straight => {
                 let sides = [self.edge(found.index, false), self.edge(found.index, true)];
@@ -145,15 +155,84 @@ impl About<'_> {
         cross(along, sub(self.point, flat(self.positions[part]))).abs() / length(along)
     }
 
-    /// A straight part, prolonged a little beyond the edge at a node of it, where the node faces it.
+    /// A straight part, prolonged a little beyond the edge at a node of it, or the nose behind that,
+    /// where the slave node faces it.
     fn part(&self, part: usize, edge: usize) -> Option<Piece> {
         let (a, b) = (flat(self.positions[part]), flat(self.positions[part + 1]));
         let parameter = project_line(a, b, self.point)?;
-        let size = length(sub(b, a));
-        let beyond = BEYOND * self.outlook.size().min(size) / size;
-        let (low, high) = if edge == part { (-beyond, 1.0) } else { (0.0, 1.0 + beyond) };
-        let deepest = SUNK * size;
-        let inside = (low..=high).contains(&parameter) && self.distance(part) <= deepest;
-        inside.then_some(Piece { index: part, kind: PieceKind::Straight, parameter })
+        if self.distance(part) > SUNK * length(sub(b, a)) {
+            return None;
+        }
+        let straight = Piece { index: part, kind: PieceKind::Straight, parameter };
+        let ahead = edge != part;
+        let (outside, other) =
+            if ahead { (parameter - 1.0, parameter) } else { (-parameter, 1.0 - parameter) };
+        if outside <= 0.0 {
+            return (other >= -INSIDE).then_some(straight);
+        }
+        let (_, fractions) = reach(self.chain, edge);
+        if outside <= fractions[usize::from(!ahead)] {
+            return Some(straight);
+        }
+        let nose = self.nose(edge, fractions, ahead);
+        let parameter = project_quadratic(&nose, self.point)?;
+        Some(Piece { index: edge, kind: PieceKind::Nose { ahead }, parameter })
+    }
+
+    /// Control points of the nose at an edge: further along the segment that it prolongs, then down the
+    /// other.
+    fn nose(&self, node: usize, [before, behind]: [f64; 2], ahead: bool) -> [Point; 3] {
+        let [a, x, b] = [node - 1, node, node + 1].map(|node| flat(self.positions[node]));
+        let on = [0, 1].map(|c| before * (x[c] - a[c]));
+        let down = [0, 1].map(|c| behind * (b[c] - x[c]));
+        let at = |s: f64, t: f64| [0, 1].map(|c| x[c] + s * on[c] + t * down[c]);
+        match ahead {
+            true => [at(1.0, 0.0), at(2.0, 0.0), at(2.0, 1.0)],
+            false => [at(-1.0, -2.0), at(0.0, -2.0), at(0.0, -1.0)],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A block 2 wide and 1 high, travelled over its top; the outside is on the left.
+    const BLOCK: [[f64; 3]; 4] =
+        [[0.0, -1.0, 0.0], [0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, -1.0, 0.0]];
+
+    fn facing(at: [f64; 2], normals: &[Vector]) -> Option<(usize, PieceKind)> {
+        let mut chain = Chain::new(&BLOCK, 0.2, 0.1)?;
+        chain.slave = 1.0;
+        let mut outlook = Outlook::EVERYWHERE;
+        normals.iter().for_each(|&normal| outlook.add(normal, 1.0));
+        let point = [at[0], at[1], 0.0];
+        let found = closest(&chain, &BLOCK, Nearby::Positions, (point, &outlook))?;
+        Some((found.index, found.kind))
+    }
+
+    /// Requirement: a corner that stands on an edge faces the top, prolonged, then its nose, then the
+    /// side; one that stands beside faces the side; without faces the smoothed corner counts.
+    #[test]
+    fn a_corner_faces_the_top_that_it_stands_on() {
+        let upon = [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0]];
+        let (top, nose) = ((1, PieceKind::Straight), (2, PieceKind::Nose { ahead: true }));
+        assert_eq!(facing([2.0, -0.001], &upon), Some(top));
+        assert_eq!(facing([2.05, -0.001], &upon), Some(top));
+        assert_eq!(facing([2.15, -0.001], &upon), Some(nose));
+        assert_eq!(facing([2.3, -0.5], &upon), Some((2, PieceKind::Straight)));
+        let beside = [[0.0, -1.0, 0.0], [-1.0, 0.0, 0.0]];
+        assert_eq!(facing([1.999, -0.4], &beside), Some((2, PieceKind::Straight)));
+        assert_eq!(facing([2.0, -0.001], &[]), Some((2, PieceKind::Corner)));
+        let left = [[0.0, -1.0, 0.0], [-1.0, 0.0, 0.0]];
+        let other = (1, PieceKind::Nose { ahead: false });
+        assert_eq!(facing([-0.15, -0.001], &left), Some(other));
+    }
+
+    /// Requirement: what lies deep beside a block is not drawn upon its top.
+    #[test]
+    fn what_stands_beside_stays_there() {
+        let below = [[0.0, -1.0, 0.0]];
+        assert_eq!(facing([2.01, -0.9], &below), Some((2, PieceKind::Straight)));
     }
 }

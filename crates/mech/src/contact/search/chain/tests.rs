@@ -119,7 +119,7 @@ fn pieces_tile_the_chain() {
                 PieceKind::Straight => {
                     chain.arc_coordinate(index) + t * chain.reference_length(index)
                 }
-                PieceKind::Corner => {
+                PieceKind::Corner | PieceKind::Nose { .. } => {
                     let (before, after) =
                         (chain.reference_length(index - 1), chain.reference_length(index));
                     let (a1, a2) = (smoothing * before, smoothing * after);
