@@ -6,7 +6,7 @@
 use slideline_deck::NoFiles;
 use slideline_diag::{Diagnostic, Sources};
 use slideline_keywords::{Interpreted, read};
-use slideline_model::{Curve, Dialect, Dof, Model};
+use slideline_model::{Curve, Dialect, Dof, Model, Pressed};
 
 /// Two squares, of 1 by 1, as solids of a type; sections and steps follow.
 const SQUARES: &str = "\
@@ -142,8 +142,8 @@ fn loads_stay_in_the_plane() {
 }
 
 /// Requirement: loads on beams in space have the whole of their forces: per length, per volume on
-/// the area, gravity on the mass; half at each end of an element, no moments. What would turn with
-/// the section, or is a pressure in CalculiX, is refused.
+/// the area, gravity on the mass; half at each end of an element, no moments. What acts
+/// across the plane of the model, or is a pressure in CalculiX, is refused.
 #[test]
 fn loads_along_beams() {
     let deck = |load: &str, nlgeom: &str| {
@@ -168,15 +168,30 @@ fn loads_along_beams() {
         for (k, dof) in [Dof::U1, Dof::U2, Dof::U3].into_iter().enumerate() {
             let of = |node: usize| {
                 let own = forces.iter().filter(|own| own.dof == dof && own.node == node);
-                own.map(|own| own.value).sum::<f64>()
+                let turning = model.steps[0].distributed.pressures.iter().map(|own| {
+                    let Pressed::Sections(shares) = &own.on else { return 0.0 };
+                    let all = own.nodes.iter().zip(shares).filter(|(at, _)| **at == node);
+                    all.map(|(_, share)| own.value * share[k]).sum()
+                });
+                own.map(|own| own.value).chain(turning).sum::<f64>()
             };
             for (node, share) in [0.25, 0.5, 0.25].into_iter().enumerate() {
                 assert!((of(node) - share * expected[k]).abs() < 1e-12, "{load}");
             }
         }
     }
-    assert_eq!(codes(&deck("B, P1, 2.0", ", NLGEOM"), A), ["SL0221"]);
+    assert!(codes(&deck("B, P1, 2.0", ", NLGEOM"), A).is_empty());
     assert_eq!(codes(&deck("B, P1, 2.0", ""), Dialect::Calculix), ["SL0221"]);
+    // in the plane axis 2 is across the beam, axis 1 across the plane
+    let plane = |load: &str| {
+        deck(load, "").replace("B31", "B21").replace("0., 4.", "4.").replace("0., 8.", "8.")
+    };
+    assert_eq!(codes(&plane("B, P1, 2.0"), A), ["SL0221"]);
+    let across = model(&plane("B, P2, 2.0"), A).steps[0].distributed.pressures[1].on.clone();
+    let Pressed::Sections(shares) = across else { panic!("{across:?}") };
+    for (share, expected) in shares[0].into_iter().zip([-2.0, 1.5, 0.0]) {
+        assert!((share - expected).abs() < 1e-12, "{shares:?}");
+    }
     assert_eq!(codes(&deck("B, P3, 2.0", ""), A), ["SL0256"]);
 }
 

@@ -40,6 +40,7 @@ mod restraint;
 mod rows;
 mod run;
 mod section_forces;
+mod section_loads;
 mod sensitivity;
 mod stabilise;
 mod start;
