@@ -12,6 +12,7 @@
 
 mod apart;
 mod bodies;
+mod distorted;
 mod finding;
 mod locking;
 mod mesh;
@@ -47,6 +48,7 @@ pub fn advise(model: &Model) -> Vec<Finding> {
         overclosure::judge(&start, &mut findings);
         sides::judge(&start, &mut findings);
         quadratic::judge(&start, &mut findings);
+        distorted::judge(&start, &mut findings);
         unmerged::judge(&start, &mut findings);
         apart::judge(&start, &mut findings);
         units::judge(&start, &mut findings);
@@ -55,16 +57,17 @@ pub fn advise(model: &Model) -> Vec<Finding> {
         return findings;
     }
     rehearsal::rehearse(&mut start);
-    let parts: [fn(&start::Start<'_>, &mut Vec<Finding>); 13] = [
+    let parts: [fn(&start::Start<'_>, &mut Vec<Finding>); 14] = [
         overclosure::judge,
         roles::judge,
         overconstraint::judge,
         stroke::judge,
         sides::judge,
         mesh::judge,
+        distorted::judge,
+        unmerged::judge,
         rigid_motion::judge,
         overlap::judge,
-        unmerged::judge,
         apart::judge,
         units::judge,
         locking::judge,

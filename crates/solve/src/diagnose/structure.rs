@@ -96,7 +96,8 @@ impl Case<'_> {
         for (block, _) in about {
             let name = block.kind.name();
             let words = match block.kind.kinematics {
-                Kinematics::Solid { .. } => match name.strip_suffix('R') {
+                // the wedge has two points on its axis, about which its ends turn freely
+                Kinematics::Solid { .. } => match name.strip_suffix('R').or(wedge(name)) {
                     Some(full) => format!(
                         "few elements {name} have motions without energy: take {full}, or more \
                          elements over the thickness; or "
@@ -258,6 +259,11 @@ impl Case<'_> {
         let text = format!("*BOUNDARY\n{label}, {number}, {number}, {:.6E}\n", 2.0 * moved);
         Some(Suggestion { place: Place::Instead(load.origin), text })
     }
+}
+
+/// What is as a wedge with two points of integration, without its free motion.
+fn wedge(name: &str) -> Option<&'static str> {
+    (name == "C3D6").then_some("C3D15")
 }
 
 impl Motion {
