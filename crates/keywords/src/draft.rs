@@ -297,9 +297,8 @@ impl Draft {
             Owner::Broken => return None,
             _ => {}
         }
-        let message = format!("*{keyword} has no *INTERFACE or *SURFACE INTERACTION to belong to");
-        let error = Diagnostic::error(Code("SL0213"), message).at(span);
-        self.log.push(error.help("put it directly behind the card whose law it is"));
+        let (code, message, help) = self.owner.without_interaction(keyword);
+        self.log.push(Diagnostic::error(Code(code), message).at(span).help(help));
         self.owner = Owner::Broken;
         self.mark_incomplete(Subject::Contact);
         None

@@ -51,7 +51,11 @@ fn what_the_page_names_is_refused() {
         ("frequencies", HISTORY, "*FREQUENCY\n*END STEP"),
         ("linear buckling", HISTORY, "*BUCKLE\n*END STEP"),
         ("(Riks)", "*STATIC", "*STATIC, RIKS"),
-        ("loads across plane beams", HISTORY, "*DLOAD\nBEAM, P1, 1.0\n*END STEP"),
+        (
+            "tractions that turn",
+            HISTORY,
+            "*DSLOAD, FOLLOWER=YES\nBEAM, TRVEC, 1.0, 1.0, 0.0\n*END STEP",
+        ),
         (
             "`INTERFERENCE FIT`",
             MODEL,

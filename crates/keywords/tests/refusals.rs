@@ -782,3 +782,54 @@ fn laws_that_stand_alone() {
         assert_eq!(found, ["SL0234"], "{wrong}");
     }
 }
+
+/// Faces of the two squares: the top of each, and a surface that joins what `data` names.
+fn joined(parameters: &str, data: &str) -> String {
+    format!(
+        "*SURFACE, NAME=TA\nA, S3\n*SURFACE, NAME=TB\nB, S3\n*SURFACE, NAME=BOTH{parameters}\n{data}\n{}",
+        step("*DSLOAD\nBOTH, P, 1.0")
+    )
+}
+
+/// Requirement: the union of surfaces presses on the faces of all of them, on each once; what is not
+/// a union of faces is refused. Source: Abaqus, `*SURFACE`, COMBINE.
+#[test]
+fn surfaces_are_united() {
+    let faces = |data: &str| {
+        let model = model(&deck(&joined(", COMBINE=UNION", data), &[]), A);
+        model.steps[0].distributed.pressures.len()
+    };
+    assert_eq!(faces("TA, TB"), 2);
+    assert_eq!(faces("TA,\nTB"), 2);
+    assert_eq!(faces("TA, TOP, TA"), 2);
+    let refused = |parameters: &str, data: &str| codes(&deck(&joined(parameters, data), &[]), A);
+    assert_eq!(refused(", COMBINE=DIFFERENCE", "TA, TB"), ["SL0221"]);
+    assert_eq!(refused(", COMBINE=UNION", "TA, TC"), ["SL0327"]);
+    assert_eq!(refused(", COMBINE=UNION", "TA, POINTS"), ["SL0332"]);
+}
+
+/// Requirement: where a curve of CalculiX has two values at one time it jumps to the later one; in
+/// the other dialect, and where time goes back, that is refused. Source: CalculiX, `*AMPLITUDE`.
+#[test]
+fn curves_jump_in_calculix() {
+    let cards = |points: &str| {
+        format!("*AMPLITUDE, NAME=J\n{points}\n{}", step("*CLOAD, AMPLITUDE=J\n6, 1, 1.0"))
+    };
+    let jump = deck(&cards("0.0, 0.0, 0.5, 1.0, 0.5, 3.0, 1.0, 3.0"), &[]);
+    let model = model(&jump, Dialect::Calculix);
+    let curve = model.amplitude("J").expect("a curve");
+    assert_eq!([0.0, 0.25, 0.5, 0.75].map(|time| curve.at(time)), [0.0, 0.5, 3.0, 3.0]);
+    assert_eq!(codes(&jump, A), ["SL0249"]);
+    let back = deck(&cards("0.0, 0.0, 0.5, 1.0, 0.4, 3.0"), &[]);
+    assert_eq!(codes(&back, Dialect::Calculix), ["SL0249"]);
+}
+
+/// Requirement: friction of a gap is refused as such, not as a law without an owner.
+#[test]
+fn gaps_do_not_rub() {
+    let gap = "*ELEMENT, TYPE=GAPUNI, ELSET=G\n9, 6, 5\n*GAP, ELSET=G\n0.1, 1.0, 0.0, 0.0\n*FRICTION\n0.3\n";
+    let text = deck(&format!("{gap}{}", step("*CLOAD\n6, 1, 1.0")), &[]);
+    let said = errors(&interpret(&text, A));
+    let said: Vec<_> = said.iter().map(|own| (own.code.0, own.message.as_str())).collect();
+    assert_eq!(said, [("SL0221", "*FRICTION of *GAP is not supported: gaps do not rub")]);
+}

@@ -118,9 +118,13 @@ pub(super) const GROUPS: &[Group] = &[
             "CONTACT PERMEABILITY",
             "CONTACT RESPONSE",
             "COHESIVE BEHAVIOR",
-            "NORMAL",
             "IMPERMEABLE CONTACT",
         ],
+    ),
+    (
+        Unsupported,
+        "a beam's axes are those of its section card, normals of contact those of its faces",
+        &["NORMAL"],
     ),
     (
         Unsupported,

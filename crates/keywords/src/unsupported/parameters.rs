@@ -88,7 +88,7 @@ const GROUPS: &[Group] = &[
     (
         "SURFACE",
         "name the faces themselves, with S1 to S6 or a set of elements",
-        &["COMBINE", "CROP", "MAX RATIO", "REGION TYPE", "PROPERTY", "TRIM"],
+        &["CROP", "MAX RATIO", "REGION TYPE", "PROPERTY", "TRIM"],
     ),
     ("TIE", "model the whole, not a sector of it", &["CYCLIC SYMMETRY", "MULTISTAGE"]),
     (
