@@ -261,7 +261,7 @@ impl<'a> Holds<'a> {
         // what turns about a place far outside the model moves straight on
         if w.abs() * self.size > STRAIGHT * u.hypot(v) {
             let at = self.start.model.nodes.position(body);
-            let centre = [at[0] - v / w, at[1] + u / w];
+            let centre = [at[0] - v / w, at[1] + u / w, at[2]];
             let words = format!("turn about ({:.4e}, {:.4e})", centre[0], centre[1]);
             return (words, self.stop_of_turn(body, centre));
         }
@@ -273,7 +273,7 @@ impl<'a> Holds<'a> {
 
     /// What stops a turn of a body about a place: the rotation of its node; where that has none, as
     /// in solids, the motion of the node that the turn moves most.
-    fn stop_of_turn(&self, body: NodeIndex, centre: [f64; 2]) -> (NodeIndex, usize) {
+    fn stop_of_turn(&self, body: NodeIndex, centre: [f64; 3]) -> (NodeIndex, usize) {
         let model = self.start.model;
         let mut about = self
             .presence

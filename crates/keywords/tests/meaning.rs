@@ -293,7 +293,7 @@ fn keywords_are_found_as_people_write_them() {
 fn a_foreign_keyword_is_not_a_misspelt_one() {
     let swelling = BEAM.replace("*STEP", "*SWELLING\n1.E-8\n*STEP");
     assert_eq!(codes(&swelling, "*STEP", "*STEP"), ["SL0221"]);
-    assert_eq!(codes(BEAM, "*CLOAD\n5, 1, 1.0", "*DLOAD\nBEAM, P1, 1.0"), ["SL0256"]);
+    assert_eq!(codes(BEAM, "*CLOAD\n5, 1, 1.0", "*DLOAD\nBEAM, P1, 1.0"), ["SL0221"]);
     assert_eq!(codes(BEAM, "*BEAM SECTION", "*SHELL SECTION"), ["SL0221"]);
     for name in ["TIED CONTACT", "SHELL SECTION", "SUBMODEL"] {
         assert_eq!(codes(BEAM, "*STEP", &format!("*{name}\n1, 2\n*STEP")), ["SL0221"], "{name}");
