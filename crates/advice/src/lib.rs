@@ -14,6 +14,7 @@ mod apart;
 mod bodies;
 mod distorted;
 mod finding;
+mod idle_loads;
 mod locking;
 mod mesh;
 mod moments;
@@ -50,6 +51,7 @@ pub fn advise(model: &Model) -> Vec<Finding> {
         quadratic::judge(&start, &mut findings);
         distorted::judge(&start, &mut findings);
         unmerged::judge(&start, &mut findings);
+        idle_loads::judge(&start, &mut findings);
         apart::judge(&start, &mut findings);
         units::judge(&start, &mut findings);
         locking::judge(&start, &mut findings);
@@ -57,7 +59,7 @@ pub fn advise(model: &Model) -> Vec<Finding> {
         return findings;
     }
     rehearsal::rehearse(&mut start);
-    let parts: [fn(&start::Start<'_>, &mut Vec<Finding>); 14] = [
+    let parts: [fn(&start::Start<'_>, &mut Vec<Finding>); 15] = [
         overclosure::judge,
         roles::judge,
         overconstraint::judge,
@@ -66,6 +68,7 @@ pub fn advise(model: &Model) -> Vec<Finding> {
         mesh::judge,
         distorted::judge,
         unmerged::judge,
+        idle_loads::judge,
         rigid_motion::judge,
         overlap::judge,
         apart::judge,
