@@ -47,8 +47,8 @@ pub(super) const GROUPS: &[Group] = &[
     ),
     (
         Ignored,
-        "the linear equations are solved to a tolerance that the program chooses",
-        &["SOLVER CONTROLS"],
+        "the program chooses how the equations are solved",
+        &["SOLVER CONTROLS", "SOLUTION TECHNIQUE", "WAVEFRONT MINIMIZATION"],
     ),
     (
         Ignored,
@@ -279,6 +279,7 @@ pub(super) const GROUPS: &[Group] = &[
             "MATRIX ASSEMBLE",
             "MATRIX INPUT",
             "MEMBRANE SECTION",
+            "SURFACE SECTION",
             "REBAR",
             "REBAR LAYER",
             "SECTION POINTS",
@@ -394,7 +395,6 @@ pub(super) const GROUPS: &[Group] = &[
             "TRACER PARTICLE",
             "UNDEX CHARGE PROPERTY",
             "EXTERNAL FIELD",
-            "SOLUTION TECHNIQUE",
         ],
     ),
 ];
