@@ -105,6 +105,10 @@ impl<'a> Holds<'a> {
     }
 
     fn hold(&mut self, node: NodeIndex, dof: Dof) {
+        // the third displacement of a rotation node is the turn of its body
+        let mut links = self.start.model.rigid_links.iter();
+        let turned = links.find(|link| dof == Dof::U3 && link.turn == Some(node));
+        let (node, dof) = turned.map_or((node, dof), |link| (link.master, Dof::UR3));
         let mut row = vec![0.0; self.width()];
         let at = self.start.model.nodes.position(node);
         let axes = self.start.model.axes_of(node).filter(|_| !dof.is_rotation());
