@@ -166,7 +166,13 @@ pub(super) fn no_face(index: usize, face: usize, span: Span, draft: &mut Draft) 
         0 => "it has no faces".to_owned(),
         _ => format!("its faces are 1 to {count}"),
     };
-    draft.consequence(Subject::Elements, error.help(help));
+    if count == 0 {
+        draft.consequence(Subject::Elements, error.help(help));
+    } else if draft.log.first_time(&format!("SL0256 {} {}", span.file.0, span.start)) {
+        // whatever else is wrong with elements: those of this type have no such face
+        draft.log.push(error.help(help));
+        draft.mark_incomplete(Subject::Contact);
+    }
 }
 
 /// The nodes of a face; of the whole element where it is a line. `None` where there is no such
