@@ -41,7 +41,7 @@ const ERRORS: [Fault; 30] = [
     ("a corner through the others", |own| !own.in_space(), |deck| push(deck, -0.5), "SL0346"),
     ("a middle node far out", |own| own.quadratic && own.name != "C3D20R", bulge, "SL0346"),
     ("an undefined node", all, |deck| deck.elements[0][1] = 999, "SL0303"),
-    ("a node too few", all, |deck| _ = deck.elements[0].pop(), "SL0231"),
+    ("a node too few", all, |deck| _ = deck.elements.last_mut().unwrap().pop(), "SL0231"),
     ("an unknown type", all, |deck| deck.kind = "C9D9".to_owned(), "SL0220"),
     ("no section", all, |deck| deck.section.clear(), "SL0307"),
     ("a section without its material", all, |deck| steel(deck, "STEEL"), "SL0308"),
@@ -221,7 +221,11 @@ fn doubts_are_named() {
 /// family of each kind.
 #[test]
 fn faults_are_said_in_one_go() {
-    const APART: [&str; 8] = [
+    const APART: [&str; 12] = [
+        "wrong way round",
+        "no section",
+        "a section without its material",
+        "no such curve",
         "nu of one half",
         "a node too few",
         "a face that does not exist",
@@ -231,15 +235,26 @@ fn faults_are_said_in_one_go() {
         "a word for a number",
         "an unknown card",
     ];
+    // these are of one card, or a lost element may be why there is no section
+    const TOGETHER: [[&str; 2]; 3] = [
+        ["no section", "a section without its material"],
+        ["no such curve", "a face that does not exist"],
+        ["no section", "a node too few"],
+    ];
+    let together = |a, b| TOGETHER.contains(&[a, b]) || TOGETHER.contains(&[b, a]);
     let faults: Vec<&Fault> = ERRORS.iter().filter(|own| APART.contains(&own.0)).collect();
     assert_eq!(faults.len(), APART.len());
     let mut wrong = Vec::new();
     for family in FAMILIES.iter().step_by(3) {
         for first in &faults {
-            for second in faults.iter().filter(|own| own.0 != first.0) {
+            for second in faults.iter().filter(|own| own.0 != first.0 && !together(own.0, first.0))
+            {
                 let mut deck = Deck::new(*family);
                 first.2(&mut deck);
                 second.2(&mut deck);
+                if !(first.1(*family) && second.1(*family)) {
+                    continue;
+                }
                 let (said, _) = said(&deck.text(), Dialect::Abaqus);
                 let has = |code: &str| said.iter().any(|own| own.code.0 == code);
                 if !has(first.3) || !has(second.3) {

@@ -61,7 +61,7 @@ pub(super) fn resolve(line: &Distributed, draft: &mut Draft) -> Resolved {
                 let message = "no element takes this load: none of them has a *DENSITY";
                 let error = Diagnostic::error(Code("SL0309"), message).at(line.origin);
                 let help = "give the material a *DENSITY, and name a set of solids";
-                draft.consequence(Subject::Sections, error.help(help));
+                draft.consequence(Subject::Properties, error.help(help));
             }
             loaded
         }
@@ -272,7 +272,7 @@ fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((us
             None => {
                 let message = format!("the material {material} has no *DENSITY for this load");
                 let error = Diagnostic::error(Code("SL0309"), message).at(line.origin);
-                draft.consequence(Subject::Sections, error);
+                draft.consequence(Subject::Properties, error);
                 return None;
             }
         },
