@@ -161,6 +161,7 @@ impl<'a> Holds<'a> {
                     let at = model.nodes.position(spring.nodes[0]);
                     self.between(spring.ends(), at, way);
                 }
+                SpringWay::Around { .. } => {}
                 SpringWay::Line { .. } | SpringWay::Direction { direction: None, .. } => {
                     let ends = spring.ends().map(|node| model.nodes.position(node));
                     let way = less(ends[1], ends[0]);

@@ -44,7 +44,7 @@ fn what_the_page_names_is_refused() {
         ("rubber that softens", MODEL, "*MULLINS EFFECT\n*STEP"),
         ("heat conduction", HISTORY, "*HEAT TRANSFER\n*END STEP"),
         ("masses", "TYPE=B21", "TYPE=MASS"),
-        ("(GAPCYL, GAPSPHER)", "TYPE=B21", "TYPE=GAPCYL"),
+        ("connectors", "TYPE=B21", "TYPE=CONN2D2"),
         ("initial strains", MODEL, "*INITIAL CONDITIONS, TYPE=PLASTIC STRAIN\n*STEP"),
         ("`*PARAMETER DEPENDENCE`", MODEL, "*PARAMETER DEPENDENCE\nw = 1.\n*STEP"),
         ("dynamics", HISTORY, "*DYNAMIC\n*END STEP"),

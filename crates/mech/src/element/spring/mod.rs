@@ -1,5 +1,6 @@
 //! Springs: SPRING1 between a dof and the ground, SPRING2 between dofs of two nodes, SPRINGA
-//! between two nodes along their axis, GAPUNI between two nodes along a direction that stays.
+//! between two nodes along their axis, GAPUNI between two nodes along a direction that stays,
+//! GAPCYL and GAPSPHER by their distance.
 //!
 //! ```text
 //!   SPRING1   |/\/\/\o--> u      SPRING2   o/\/\/\o  u1 - u2      SPRINGA   1 o/\/\/\o 2
@@ -10,9 +11,11 @@
 
 mod directed;
 mod law;
+mod radial;
 
 pub use directed::DirectedSpring;
 pub use law::SpringLaw;
+pub use radial::RadialSpring;
 
 use super::kernel::{Element, Scale};
 use crate::differentiate::Real;
