@@ -5,8 +5,8 @@
 //!   inside   ( o-->  )   closes at a distance r       outside   o-->  <--o   closes at r
 //! ```
 
+use super::ends::{fill, length, push};
 use super::law::SpringLaw;
-use super::{fill, length, push};
 use crate::element::kernel::{Element, Scale};
 
 /// Gap by the distance s of two nodes, across an axis if there is one: its opening is r - s inside
