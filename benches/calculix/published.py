@@ -6,7 +6,7 @@
 
 The decks are Debian's package calculix-ccx-test: they are downloaded, not copied
 into the project.  Looked at are static decks without shells that slideline reads
-under `--dialect calculix`.  Compared are the last tables of displacements, forces
+under `--dialect calculix`.  Compared are the last tables that are published, with ours of the same time: displacements, forces
 and stresses at integration points (`.dat`), or displacements and nodal stresses
 (`.frd`): the largest deviation over the largest value of a table.  A deck within
 0.5 % agrees.
@@ -38,14 +38,22 @@ def number(text):
         return float(re.sub(r"(\d)([+-]\d+)$", r"\1E\2", text))
 
 
-def tables(path):
-    """Tables of a `.dat`, CalculiX' or ours: rows by node, or by element and point."""
-    found, name = {}, None
+def tables(path, times=None):
+    """The last tables of a `.dat`, CalculiX' or ours: rows by node, or by element and point.
+
+    `times` gets the total time of each by name, where it is given empty; where it holds times,
+    tables of later ones are passed over.
+    """
+    found, name, times = {}, None, {} if times is None else times
+    until = dict(times)
     for line in opened(path) if os.path.exists(path) else []:
-        heading = re.match(r"\s*(displacements|forces|stresses)\s*\(", line)
+        heading = re.match(r"\s*(displacements|forces|stresses)\s*\(.*?time\s*(\S+)?", line)
         if heading:
-            name = heading.group(1)
-            found[name] = {}
+            name, time = heading.group(1), number(heading.group(2) or "0")
+            if later(time, until.get(name)):
+                name = None
+                continue
+            found[name], times[name] = {}, time
         elif name and re.match(r"\s*\d+\s", line):
             # ccx marks rows along axes of a material with a word behind the numbers
             words = [word for word in line.split() if not word.isalpha()]
@@ -56,18 +64,27 @@ def tables(path):
     return found
 
 
-def blocks(path):
-    """The last displacements and stresses of a `.frd`."""
-    found, name, rows = {}, None, {}
+def later(time, until):
+    """Whether a table stands behind the last one that is compared."""
+    return until is not None and time > until + 1e-4 * abs(until)
+
+
+def blocks(path, times=None):
+    """The last displacements and stresses of a `.frd`; `times` as of `tables`."""
+    found, name, rows, time, times = {}, None, {}, 0.0, {} if times is None else times
+    until = dict(times)
     for line in opened(path):
-        if line.startswith(" -4"):
+        if line.startswith("  100C"):
+            time = number(line[12:24])
+        elif line.startswith(" -4"):
             name, rows = line.split()[1], {}
+            name = None if later(time, until.get(name)) else name
         elif line.startswith(" -1") and name in ("DISP", "STRESS"):
             text = line[13:].rstrip("\n")
             fields = [text[k : k + 12].strip() for k in range(0, len(text), 12)]
             rows[(int(line[3:13]),)] = [number(field) for field in fields if field]
         elif line.startswith(" -3") and name in ("DISP", "STRESS"):
-            found[name] = rows
+            found[name], times[name] = rows, time
             name = None
     return found
 
@@ -110,10 +127,9 @@ def compare(deck, program, folder):
         return {"run": float("inf")}
     own, found = os.path.join(folder, os.path.basename(deck)[:-4]), {}
     for ending, path in reference(deck[:-4]):
-        if ending == ".dat.ref":
-            theirs, ours = tables(path), tables(own + ".dat")
-        else:
-            theirs, ours = blocks(path), blocks(own + ".frd")
+        read, times = (tables, {}) if ending == ".dat.ref" else (blocks, {})
+        theirs = read(path, times)
+        ours = read(own + ending[:-4], times)
         for name, rows in theirs.items():
             found[name] = deviation(rows, ours.get(name, {}))
     return {name: value for name, value in found.items() if value is not None}

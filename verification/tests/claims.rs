@@ -17,6 +17,7 @@ mod amplitudes_and_springs;
 mod bad_friction;
 mod balance;
 mod beams_bisshopp_drucker;
+mod beams_follower_load;
 mod beams_lee_frame;
 mod beams_quadratic_and_cubic;
 mod beams_roll_up;
@@ -97,6 +98,7 @@ const CHAPTERS: &[Chapter] = &[
         title: "Beams, links and springs",
         groups: &[
             beams_roll_up::GROUP,
+            beams_follower_load::GROUP,
             beams_timoshenko::GROUP,
             beams_bisshopp_drucker::GROUP,
             beams_williams_toggle::GROUP,

@@ -12,11 +12,14 @@
 
 mod apart;
 mod bodies;
+mod distorted;
 mod finding;
+mod idle_loads;
 mod locking;
 mod mesh;
 mod moments;
 mod motion;
+mod motion_in_space;
 mod noise;
 mod overclosure;
 mod overconstraint;
@@ -43,11 +46,14 @@ pub fn advise(model: &Model) -> Vec<Finding> {
     let mut start = start::Start::of(model);
     let mut findings = Vec::new();
     if model.is_in_space() {
-        // motions and meshes are judged in the plane alone
+        // what lies about contact is judged in the plane alone
         overclosure::judge(&start, &mut findings);
         sides::judge(&start, &mut findings);
         quadratic::judge(&start, &mut findings);
+        distorted::judge(&start, &mut findings);
         unmerged::judge(&start, &mut findings);
+        idle_loads::judge(&start, &mut findings);
+        motion_in_space::judge(&start, &mut findings);
         apart::judge(&start, &mut findings);
         units::judge(&start, &mut findings);
         locking::judge(&start, &mut findings);
@@ -55,16 +61,18 @@ pub fn advise(model: &Model) -> Vec<Finding> {
         return findings;
     }
     rehearsal::rehearse(&mut start);
-    let parts: [fn(&start::Start<'_>, &mut Vec<Finding>); 13] = [
+    let parts: [fn(&start::Start<'_>, &mut Vec<Finding>); 15] = [
         overclosure::judge,
         roles::judge,
         overconstraint::judge,
         stroke::judge,
         sides::judge,
         mesh::judge,
+        distorted::judge,
+        unmerged::judge,
+        idle_loads::judge,
         rigid_motion::judge,
         overlap::judge,
-        unmerged::judge,
         apart::judge,
         units::judge,
         locking::judge,

@@ -105,6 +105,10 @@ impl<'a> Holds<'a> {
     }
 
     fn hold(&mut self, node: NodeIndex, dof: Dof) {
+        // the third displacement of a rotation node is the turn of its body
+        let mut links = self.start.model.rigid_links.iter();
+        let turned = links.find(|link| dof == Dof::U3 && link.turn == Some(node));
+        let (node, dof) = turned.map_or((node, dof), |link| (link.master, Dof::UR3));
         let mut row = vec![0.0; self.width()];
         let at = self.start.model.nodes.position(node);
         let axes = self.start.model.axes_of(node).filter(|_| !dof.is_rotation());
@@ -157,6 +161,7 @@ impl<'a> Holds<'a> {
                     let at = model.nodes.position(spring.nodes[0]);
                     self.between(spring.ends(), at, way);
                 }
+                SpringWay::Around { .. } => {}
                 SpringWay::Line { .. } | SpringWay::Direction { direction: None, .. } => {
                     let ends = spring.ends().map(|node| model.nodes.position(node));
                     let way = less(ends[1], ends[0]);
@@ -256,18 +261,45 @@ impl<'a> Holds<'a> {
         (body, [motion[first], motion[first + 1], motion[first + 2] / self.size])
     }
 
-    /// A motion in words, and the dof that stops it.
-    fn describe(&self, body: NodeIndex, [u, v, w]: Motion) -> (String, usize) {
+    /// A motion in words, and the node and the number of the dof that stop it.
+    fn describe(&self, body: NodeIndex, [u, v, w]: Motion) -> (String, (NodeIndex, usize)) {
         // what turns about a place far outside the model moves straight on
         if w.abs() * self.size > STRAIGHT * u.hypot(v) {
             let at = self.start.model.nodes.position(body);
-            let centre = [at[0] - v / w, at[1] + u / w];
-            return (format!("turn about ({:.4e}, {:.4e})", centre[0], centre[1]), 6);
+            let centre = [at[0] - v / w, at[1] + u / w, at[2]];
+            let words = format!("turn about ({:.4e}, {:.4e})", centre[0], centre[1]);
+            return (words, self.stop_of_turn(body, centre));
         }
         let dof = if u.abs() > v.abs() { 1 } else { 2 };
         let size = u.hypot(v);
         let way = [u / size + 0.0, v / size + 0.0]; // no minus before a zero
-        (format!("move along ({:.3}, {:.3})", way[0], way[1]), dof)
+        (format!("move along ({:.3}, {:.3})", way[0], way[1]), (body, dof))
+    }
+
+    /// What stops a turn of a body about a place: the rotation of its node; where that has none, as
+    /// in solids, the motion of the node that the turn moves most.
+    fn stop_of_turn(&self, body: NodeIndex, centre: [f64; 3]) -> (NodeIndex, usize) {
+        let model = self.start.model;
+        let mut about = self
+            .presence
+            .elements(&model.blocks)
+            .filter(|(_, element)| element.nodes.contains(&body))
+            .map(|(block, _)| block.dofs().contains(&Dof::UR3))
+            .peekable();
+        let is_solid = about.peek().is_some() && about.all(|turns| !turns);
+        let mut links = model.rigid_links.iter();
+        let solid = (0..model.nodes.len())
+            .filter(|&node| self.bodies.active[node] && self.bodies.of_node(node) == body);
+        let arm = |node: NodeIndex| {
+            let [x, y, _] = model.nodes.position(node);
+            [x - centre[0], y - centre[1]]
+        };
+        let far = |node: &NodeIndex| arm(*node)[0].hypot(arm(*node)[1]);
+        let farthest = solid.max_by(|a, b| far(a).total_cmp(&far(b)));
+        match farthest.filter(|_| is_solid && links.all(|link| link.master != body)) {
+            Some(node) => (node, if arm(node)[0].abs() >= arm(node)[1].abs() { 2 } else { 1 }),
+            None => (body, 6),
+        }
     }
 
     fn say(
@@ -278,7 +310,7 @@ impl<'a> Holds<'a> {
     ) -> Finding {
         let nodes = &self.start.model.nodes;
         let (label, origin) = (nodes.name(body), nodes.get(body).origin);
-        let (how, mut dofs): (Vec<String>, Vec<usize>) =
+        let (how, mut dofs): (Vec<String>, Vec<(NodeIndex, usize)>) =
             motions.iter().map(|motion| self.describe(body, *motion)).unzip();
         dofs.sort_unstable();
         dofs.dedup();
@@ -297,12 +329,23 @@ impl<'a> Holds<'a> {
             ));
         }
         let message = format!("{when}the body of node {label} is unsupported: it can {how} freely");
-        let list: Vec<String> = dofs.iter().map(ToString::to_string).collect();
-        let said = Diagnostic::warning(Code("SL0409"), message).at(origin).help(format!(
-            "support it: *BOUNDARY with node {label}, degree of freedom {}",
-            list.join(" and ")
-        ));
-        let lines: String = dofs.iter().map(|dof| format!("{label}, {dof}, {dof}\n")).collect();
+        let list: Vec<String> = dofs
+            .chunk_by(|a, b| a.0 == b.0)
+            .map(|own| {
+                let numbers: Vec<String> = own.iter().map(|(_, dof)| dof.to_string()).collect();
+                format!(
+                    "node {}, degree of freedom {}",
+                    nodes.name(own[0].0),
+                    numbers.join(" and ")
+                )
+            })
+            .collect();
+        let said = Diagnostic::warning(Code("SL0409"), message)
+            .at(origin)
+            .help(format!("support it: *BOUNDARY with {}", list.join(", and ")));
+        let line =
+            |&(node, dof): &(NodeIndex, usize)| format!("{}, {dof}, {dof}\n", nodes.name(node));
+        let lines: String = dofs.iter().map(line).collect();
         // behind the step's own cards, of which one may begin with OP=NEW
         let own = step.prescribed.iter().map(|p| p.origin);
         let own = own.filter(|at| at.file == step.origin.file && at.start > step.origin.start);

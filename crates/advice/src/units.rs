@@ -3,7 +3,7 @@
 use crate::finding::Finding;
 use crate::start::Start;
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{Dof, Material, NormalLaw, Section};
+use slideline_model::{Dof, Material, NormalLaw, Pressed, Section};
 
 /// Rotation that nobody means in radians: three times round [1].
 const TURNS: f64 = 3.0 * std::f64::consts::TAU;
@@ -81,6 +81,7 @@ fn pressures(start: &Start<'_>, findings: &mut Vec<Finding>) {
     let moduli: Option<Vec<f64>> = solids.map(linear).collect();
     let Some(stiffest) = moduli.into_iter().flatten().reduce(f64::max) else { return };
     let all = start.model.steps.iter().flat_map(|step| &step.distributed.pressures);
+    let all = all.filter(|own| matches!(own.on, Pressed::Face(_)));
     let Some(worst) = all.max_by(|a, b| a.value.abs().total_cmp(&b.value.abs())) else { return };
     if worst.value.abs() <= stiffest {
         return;

@@ -10,7 +10,7 @@
 //! ```
 //!
 //! What takes part in contact, ties, equations, rigid bodies or springs was meant to be two nodes, and
-//! so was what a step takes away; what is held in all directions does not part.
+//! so was what a step takes away; what is held in all directions on both sides does not part.
 
 use crate::finding::Finding;
 use crate::start::{Start, length, less};
@@ -52,7 +52,7 @@ pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
     if width <= 0.0 || !width.is_finite() {
         return;
     }
-    let meant = meant_apart(start);
+    let meant = (meant_apart(start), held(start.model).collect());
     let mut grid: HashMap<[i64; 3], Vec<usize>> = HashMap::new();
     let mut loose = Loose::new();
     for (place, skin) in skins.iter().enumerate() {
@@ -70,12 +70,19 @@ fn around([x, y, z]: [i64; 3]) -> impl Iterator<Item = [i64; 3]> {
     (0..27).map(move |k: i64| [x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1])
 }
 
-/// Takes note of two faces whose corners stand at the same places and were not meant to be two.
-fn compare(start: &Start<'_>, meant: &HashSet<NodeIndex>, [a, b]: [&Skin; 2], loose: &mut Loose) {
+/// Takes note of two faces whose corners stand at the same places, were not `meant` to be two, and are
+/// not `held` on both sides.
+fn compare(
+    start: &Start<'_>,
+    (meant, held): &(HashSet<NodeIndex>, HashSet<NodeIndex>),
+    [a, b]: [&Skin; 2],
+    loose: &mut Loose,
+) {
     let Some(pairs) = same_places(start.model, a, b) else { return };
     let apart: Vec<[NodeIndex; 2]> = pairs.into_iter().filter(|[a, b]| a != b).collect();
     let is_meant = |pair: &[NodeIndex; 2]| pair.iter().any(|node| meant.contains(node));
-    if apart.is_empty() || apart.iter().any(is_meant) {
+    let are_held = |pair: &[NodeIndex; 2]| pair.iter().all(|node| held.contains(node));
+    if apart.is_empty() || apart.iter().any(is_meant) || apart.iter().all(are_held) {
         return;
     }
     let one_body = start.bodies.of_node(a.corners[0]) == start.bodies.of_node(b.corners[0]);
@@ -160,7 +167,7 @@ fn corners_of(block: &ElementBlock, nodes: usize) -> usize {
     }
 }
 
-/// Nodes that were meant to have another one at their place, or that do not move.
+/// Nodes that were meant to have another one at their place.
 fn meant_apart(start: &Start<'_>) -> HashSet<NodeIndex> {
     let model = start.model;
     let mut meant: HashSet<NodeIndex> = HashSet::new();
@@ -180,7 +187,6 @@ fn meant_apart(start: &Start<'_>) -> HashSet<NodeIndex> {
             Master::RigidSurface(_) => {}
         }
     }
-    meant.extend(held(model));
     meant
 }
 

@@ -276,6 +276,12 @@ fn is_text_card(card: &Card) -> bool {
     name == "STEP" || (name.len() >= 4 && "HEADING".starts_with(name.as_str()))
 }
 
+/// Whether a piece of a line is a value and no parameter: these begin with a letter.
+fn is_a_value(piece: &str) -> bool {
+    let piece = piece.trim_start();
+    piece.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
+}
+
 /// The lines of a keyword that ends in commas; and whether the last comma
 /// promises a continuation that does not come.
 fn continued(text: &str, first: RawLine) -> (Vec<RawLine>, bool) {
@@ -287,7 +293,7 @@ fn continued(text: &str, first: RawLine) -> (Vec<RawLine>, bool) {
         }
         let next = line_at(text, last.end);
         let content = strip(&text[next.start..next.content_end]);
-        let value = content.starts_with(|c: char| c.is_ascii_digit() || "+-.,".contains(c));
+        let value = content.starts_with(',') || content.split(',').any(is_a_value);
         let size = next.content_end - first.start;
         if look(content) != Look::Data || value || size > MAX_LINE_BYTES {
             return (lines, true);

@@ -60,6 +60,17 @@ fn a_keyword_is_continued_after_a_comma() {
     assert_eq!(deck.files[0].lines[1].kind, LineKind::Keyword(0));
 }
 
+/// Requirement: a line with a bare number is data, also behind a comma too many; parameters begin
+/// with a letter. Public decks of CalculiX, which continues no keyword, have such commas.
+#[test]
+fn data_behind_a_comma_too_many() {
+    let deck = read("*BOUNDARY,\nLEFT, 1, 3\n*STEP,\nNLGEOM, INC=10\n").1.deck;
+    assert!(deck.cards[0].parameters.is_empty());
+    assert_eq!(deck.cards[0].data[0].fields.len(), 3);
+    assert_eq!(deck.cards[1].parameters.len(), 2);
+    assert_eq!(said("*BOUNDARY,\nLEFT, 1, 3\n"), ["warning[SL0108] a.inp:1:10-11"]);
+}
+
 #[test]
 fn comments_are_kept_with_their_place() {
     let deck = deck("***** first\n*NODE\n1, 0.\n**INTERFACE, ELSET=A\n2, 0.\n");

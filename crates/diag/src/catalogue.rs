@@ -198,6 +198,8 @@ catalogue! {
     "SL0423" "quadratic slave faces sampled at their nodes"
     "SL0424" "a pair that never comes near"
     "SL0425" "a slave deeper in its master than its part is thick"
+    "SL0426" "a badly distorted solid"
+    "SL0427" "a load that acts on nothing"
     "SL0501" "no convergence, cause unknown"
     "SL0502" "the limit of increments was reached"
     "SL0503" "a motion without resistance"

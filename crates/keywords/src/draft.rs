@@ -178,14 +178,15 @@ impl Draft {
 
     /// Nothing can be trusted to be complete any more.
     pub fn mark_all_incomplete(&mut self) {
-        use Subject::{Amplitudes, Contact, Elements, Links, Nodes, Sections, Steps};
-        for subject in [Nodes, Elements, Sections, Contact, Links, Amplitudes, Steps] {
+        use Subject::{Amplitudes, Contact, Elements, Links, Nodes, Properties, Sections, Steps};
+        for subject in [Nodes, Elements, Sections, Properties, Contact, Links, Amplitudes, Steps] {
             self.mark_incomplete(subject);
         }
     }
 
     pub fn is_complete(&self, subject: Subject) -> bool {
-        !self.incomplete.contains(&subject)
+        let rests_on = (subject == Subject::Properties).then_some(Subject::Sections);
+        !rests_on.into_iter().chain([subject]).any(|own| self.incomplete.contains(&own))
     }
 
     /// Whether `count` more things may be generated; complains if not.
@@ -240,7 +241,7 @@ impl Draft {
         } else if self.log.first_time(&format!("node {} {}", origin.file.0, origin.start)) {
             let message = format!("node {label} is defined again with other coordinates");
             let error = Diagnostic::error(Code("SL0223"), message).at(origin);
-            self.log.push(error.label(old.origin, "defined here first"));
+            self.log.push_harmless(error.label(old.origin, "defined here first"));
         }
     }
 
@@ -297,9 +298,8 @@ impl Draft {
             Owner::Broken => return None,
             _ => {}
         }
-        let message = format!("*{keyword} has no *INTERFACE or *SURFACE INTERACTION to belong to");
-        let error = Diagnostic::error(Code("SL0213"), message).at(span);
-        self.log.push(error.help("put it directly behind the card whose law it is"));
+        let (code, message, help) = self.owner.without_interaction(keyword);
+        self.log.push(Diagnostic::error(Code(code), message).at(span).help(help));
         self.owner = Owner::Broken;
         self.mark_incomplete(Subject::Contact);
         None
@@ -309,6 +309,7 @@ impl Draft {
     pub fn owning_material(&mut self, keyword: &str, span: Span) -> Option<&mut Material> {
         let Owner::Material(index) = self.owner else {
             self.orphan(keyword, "MATERIAL", span);
+            self.mark_incomplete(Subject::Sections); // one without its card
             return None;
         };
         self.materials.get_mut(index)

@@ -13,6 +13,8 @@ pub(crate) use crate::instances::{MAX_LABEL, Target};
 pub(crate) struct Log {
     listing: Listing,
     errors: usize,
+    /// Errors that leave nothing out.
+    harmless: usize,
     said: HashSet<String>,
     /// Instances of parts, whose nodes and elements have names.
     pub instances: Instances,
@@ -42,9 +44,15 @@ impl Log {
         self.push(Diagnostic::note(Code(code), message).at(span));
     }
 
-    /// How many errors so far.
+    /// An error that leaves nothing of what its card gives out.
+    pub fn push_harmless(&mut self, error: Diagnostic) {
+        self.harmless += 1;
+        self.push(error);
+    }
+
+    /// How many errors so far that leave something out.
     pub fn errors(&self) -> usize {
-        self.errors
+        self.errors - self.harmless
     }
 
     /// Forgets everything but errors.

@@ -61,7 +61,10 @@ impl Rule {
 pub(crate) enum Subject {
     Nodes,
     Elements,
+    /// Sections, and which materials there are.
     Sections,
+    /// What materials are like; nothing is known of it where sections are not complete.
+    Properties,
     Contact,
     Links,
     Amplitudes,

@@ -6,7 +6,7 @@
 use slideline_deck::NoFiles;
 use slideline_diag::{Diagnostic, Sources};
 use slideline_keywords::{Interpreted, read};
-use slideline_model::{Curve, Dialect, Dof, Model};
+use slideline_model::{Curve, Dialect, Dof, Model, Pressed};
 
 /// Two squares, of 1 by 1, as solids of a type; sections and steps follow.
 const SQUARES: &str = "\
@@ -142,8 +142,8 @@ fn loads_stay_in_the_plane() {
 }
 
 /// Requirement: loads on beams in space have the whole of their forces: per length, per volume on
-/// the area, gravity on the mass; half at each end of an element, no moments. What would turn with
-/// the section, or is a pressure in CalculiX, is refused.
+/// the area, gravity on the mass; half at each end of an element, no moments. What acts
+/// across the plane of the model, or is a pressure in CalculiX, is refused.
 #[test]
 fn loads_along_beams() {
     let deck = |load: &str, nlgeom: &str| {
@@ -168,15 +168,30 @@ fn loads_along_beams() {
         for (k, dof) in [Dof::U1, Dof::U2, Dof::U3].into_iter().enumerate() {
             let of = |node: usize| {
                 let own = forces.iter().filter(|own| own.dof == dof && own.node == node);
-                own.map(|own| own.value).sum::<f64>()
+                let turning = model.steps[0].distributed.pressures.iter().map(|own| {
+                    let Pressed::Sections(shares) = &own.on else { return 0.0 };
+                    let all = own.nodes.iter().zip(shares).filter(|(at, _)| **at == node);
+                    all.map(|(_, share)| own.value * share[k]).sum()
+                });
+                own.map(|own| own.value).chain(turning).sum::<f64>()
             };
             for (node, share) in [0.25, 0.5, 0.25].into_iter().enumerate() {
                 assert!((of(node) - share * expected[k]).abs() < 1e-12, "{load}");
             }
         }
     }
-    assert_eq!(codes(&deck("B, P1, 2.0", ", NLGEOM"), A), ["SL0221"]);
+    assert!(codes(&deck("B, P1, 2.0", ", NLGEOM"), A).is_empty());
     assert_eq!(codes(&deck("B, P1, 2.0", ""), Dialect::Calculix), ["SL0221"]);
+    // in the plane axis 2 is across the beam, axis 1 across the plane
+    let plane = |load: &str| {
+        deck(load, "").replace("B31", "B21").replace("0., 4.", "4.").replace("0., 8.", "8.")
+    };
+    assert_eq!(codes(&plane("B, P1, 2.0"), A), ["SL0221"]);
+    let across = model(&plane("B, P2, 2.0"), A).steps[0].distributed.pressures[1].on.clone();
+    let Pressed::Sections(shares) = across else { panic!("{across:?}") };
+    for (share, expected) in shares[0].into_iter().zip([-2.0, 1.5, 0.0]) {
+        assert!((share - expected).abs() < 1e-12, "{shares:?}");
+    }
     assert_eq!(codes(&deck("B, P3, 2.0", ""), A), ["SL0256"]);
 }
 
@@ -766,4 +781,55 @@ fn laws_that_stand_alone() {
         let found = codes(&deck(&load, &[("*ELASTIC\n200.0, 0.3\n", law.as_str())]), A);
         assert_eq!(found, ["SL0234"], "{wrong}");
     }
+}
+
+/// Faces of the two squares: the top of each, and a surface that joins what `data` names.
+fn joined(parameters: &str, data: &str) -> String {
+    format!(
+        "*SURFACE, NAME=TA\nA, S3\n*SURFACE, NAME=TB\nB, S3\n*SURFACE, NAME=BOTH{parameters}\n{data}\n{}",
+        step("*DSLOAD\nBOTH, P, 1.0")
+    )
+}
+
+/// Requirement: the union of surfaces presses on the faces of all of them, on each once; what is not
+/// a union of faces is refused. Source: Abaqus, `*SURFACE`, COMBINE.
+#[test]
+fn surfaces_are_united() {
+    let faces = |data: &str| {
+        let model = model(&deck(&joined(", COMBINE=UNION", data), &[]), A);
+        model.steps[0].distributed.pressures.len()
+    };
+    assert_eq!(faces("TA, TB"), 2);
+    assert_eq!(faces("TA,\nTB"), 2);
+    assert_eq!(faces("TA, TOP, TA"), 2);
+    let refused = |parameters: &str, data: &str| codes(&deck(&joined(parameters, data), &[]), A);
+    assert_eq!(refused(", COMBINE=DIFFERENCE", "TA, TB"), ["SL0221"]);
+    assert_eq!(refused(", COMBINE=UNION", "TA, TC"), ["SL0327"]);
+    assert_eq!(refused(", COMBINE=UNION", "TA, POINTS"), ["SL0332"]);
+}
+
+/// Requirement: where a curve of CalculiX has two values at one time it jumps to the later one; in
+/// the other dialect, and where time goes back, that is refused. Source: CalculiX, `*AMPLITUDE`.
+#[test]
+fn curves_jump_in_calculix() {
+    let cards = |points: &str| {
+        format!("*AMPLITUDE, NAME=J\n{points}\n{}", step("*CLOAD, AMPLITUDE=J\n6, 1, 1.0"))
+    };
+    let jump = deck(&cards("0.0, 0.0, 0.5, 1.0, 0.5, 3.0, 1.0, 3.0"), &[]);
+    let model = model(&jump, Dialect::Calculix);
+    let curve = model.amplitude("J").expect("a curve");
+    assert_eq!([0.0, 0.25, 0.5, 0.75].map(|time| curve.at(time)), [0.0, 0.5, 3.0, 3.0]);
+    assert_eq!(codes(&jump, A), ["SL0249"]);
+    let back = deck(&cards("0.0, 0.0, 0.5, 1.0, 0.4, 3.0"), &[]);
+    assert_eq!(codes(&back, Dialect::Calculix), ["SL0249"]);
+}
+
+/// Requirement: friction of a gap is refused as such, not as a law without an owner.
+#[test]
+fn gaps_do_not_rub() {
+    let gap = "*ELEMENT, TYPE=GAPUNI, ELSET=G\n9, 6, 5\n*GAP, ELSET=G\n0.1, 1.0, 0.0, 0.0\n*FRICTION\n0.3\n";
+    let text = deck(&format!("{gap}{}", step("*CLOAD\n6, 1, 1.0")), &[]);
+    let said = errors(&interpret(&text, A));
+    let said: Vec<_> = said.iter().map(|own| (own.code.0, own.message.as_str())).collect();
+    assert_eq!(said, [("SL0221", "*FRICTION of *GAP is not supported: gaps do not rub")]);
 }

@@ -27,6 +27,7 @@ pub mod pressure;
 pub mod rigid;
 pub mod rotation;
 pub mod section;
+pub mod section_load;
 pub mod surface;
 pub mod turn;
 pub mod vector;

@@ -57,7 +57,7 @@ pub use element::table::{MOST_NODES, TYPES, element_type, types};
 pub use friction::{Decay, Friction, StickRule};
 pub use initial_stress::InitialStress;
 pub use kept_shape::KeptShape;
-pub use load::{Distributed, Load, Pressure};
+pub use load::{Distributed, Load, Pressed, Pressure};
 pub use model::Model;
 pub use node::{Dof, LinearConstraint, Node, NodeIndex, NodeSet, Nodes, RigidLink};
 pub use numbering::{Name, Numbering};

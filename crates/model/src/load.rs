@@ -31,14 +31,24 @@ pub struct Distributed {
     pub forces: Vec<Load>,
 }
 
-/// A pressure on a face.
+/// What a pressure acts on.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Pressed {
+    /// A face; the pressure stays across it.
+    Face(Face),
+    /// A beam: the pressure is a force per length along an axis of its sections and turns with them.
+    /// For every node the integral of its shape function times that axis, undeformed [L].
+    Sections(Vec<[f64; 3]>),
+}
+
+/// A pressure on a face, or a force per length that turns with a beam.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pressure {
-    /// What the face is.
-    pub face: Face,
+    /// What it acts on.
+    pub on: Pressed,
     /// Its nodes.
     pub nodes: Vec<NodeIndex>,
-    /// Value at the end of the step [F/L2], positive towards the face; with an amplitude, its
+    /// Value at the end of the step [F/L2], of a beam [F/L], positive towards the face; with an amplitude, its
     /// factor.
     pub value: f64,
     /// Amplitude by place in the model's list; without one the value is approached linearly from

@@ -189,6 +189,42 @@ fn a_gap_closes() {
     }
 }
 
+/// Requirement: round gaps stop a node that leaves the tube or the ball about another, or that comes
+/// too near to one outside, wherever on them, and carry their stiffness times what is beyond; along
+/// its axis a tube is open. Closed form (F + K d)/(k + K) along the force.
+/// Source: Abaqus, gap contact elements GAPCYL and GAPSPHER.
+#[test]
+fn round_gaps_close() {
+    let free = 10.0 / 50.0;
+    let stopped = |way: f64| (20.0 + 200.0 * way) / 250.0;
+    let (same, apart) = ("3, 6., 8., 0.", "3, 9., 12., 0.");
+    let cases = [
+        ("GAPSPHER", true, same, "0.3, , , , , 200.", 10.0, free),
+        ("GAPSPHER", true, same, "0.3, , , , , 200.", 20.0, stopped(0.3)),
+        ("GAPSPHER", false, same, "0.3, , , , , 200.", 20.0, stopped(0.3)),
+        ("GAPSPHER", true, apart, "-4.8, , , , , 200.", 10.0, 10.0 / 50.0),
+        ("GAPSPHER", true, apart, "-4.8, , , , , 200.", 20.0, stopped(0.2)),
+        ("GAPCYL", true, same, "0.3, 0., 0., 2., , 200.", 20.0, stopped(0.3)),
+        ("GAPCYL", false, same, "0.3, 0., 0., 1., , 200.", 20.0, stopped(0.3)),
+        ("GAPCYL", true, apart, "-4.8, 0., 0., 1., , 200.", 20.0, stopped(0.2)),
+        ("GAPCYL", true, same, "0.3, 3., 4., 0., , 200.", 20.0, 20.0 / 50.0),
+        ("GAPCYL", true, same, "0.3, 0., 0., 1.", 20.0, (20.0 + 50e3 * 0.3) / 50.05e3),
+    ];
+    for (kind, in_space, centre, gap, force, along) in cases {
+        for nlgeom in ["*STEP\n", "*STEP, NLGEOM\n"] {
+            let deck = gap_on_bars(in_space, gap, force)
+                .replace("TYPE=GAPUNI", &format!("TYPE={kind}"))
+                .replace("3, 9., 12., 0.", centre)
+                .replace("*STEP\n", nlgeom);
+            let [x, y, ..] = run(&deck)[&2][0];
+            let off = (x - 0.6 * along).hypot(y - 0.8 * along);
+            // bars that turn and stretch are a little stiffer and softer than k
+            let close = if nlgeom.contains("NLGEOM") { 0.05 * along } else { 1e-9 };
+            assert!(off < close, "{kind} {gap} {force}: {x} {y}, not {along}");
+        }
+    }
+}
+
 /// Requirement: in the dialect of CalculiX a gap follows its law k h (1/2 + atan(h/e)/pi), with
 /// e = pi s/k, open and closed. Closed form: bisection of the balance of the node.
 #[test]
@@ -228,6 +264,19 @@ fn gaps_that_cannot_be() {
             if words == "has no direction" { "" } else { "3., 4., 0., , 200." },
         );
         let read = Job::read_text("gap", &deck.replace(old, new), &ReadOptions::default());
+        let said = format!("{:?}", read.diagnostics);
+        assert!(said.contains(words), "{words}: {said}");
+    }
+    let round = gap_on_bars(true, "0.3, , , , , 200.", 1.0).replace("GAPUNI", "GAPCYL");
+    for (old, new, words) in [
+        ("GAPCYL", "GAPCYL", "the axis of the gap is missing"),
+        ("0.3, , , ,", "0., 0., 0., 1.,", "is a distance"),
+        ("9., 12., 0.\n", "6., 8., 0.\n", "has no direction"),
+    ] {
+        let axis = if words.contains("axis") { ", , ," } else { ", 0., 0., 1.," };
+        let outside = if words.contains("direction") { "-0.3" } else { "0.3" };
+        let deck = round.replace(old, new).replace("0.3, , , ,", &format!("{outside}{axis}"));
+        let read = Job::read_text("gap", &deck, &ReadOptions::default());
         let said = format!("{:?}", read.diagnostics);
         assert!(said.contains(words), "{words}: {said}");
     }

@@ -31,7 +31,7 @@ pub fn failure(case: &Case<'_>) -> Diagnostic {
     if case.stop == StopReason::TooManyIncrements {
         return case.too_many_increments();
     }
-    let causes: [fn(&Case<'_>) -> Option<Diagnostic>; 14] = [
+    let causes: [fn(&Case<'_>) -> Option<Diagnostic>; 15] = [
         |case| case.too_coarse(),
         |case| case.passed_through(),
         |case| case.no_room(),
@@ -46,6 +46,7 @@ pub fn failure(case: &Case<'_>) -> Diagnostic {
         |case| case.snap_through(),
         |case| case.chattering(),
         |case| case.stick_slip_cycling(),
+        |case| case.mechanism(),
     ];
     causes.iter().find_map(|cause| cause(case)).unwrap_or_else(|| case.unknown())
 }

@@ -193,7 +193,7 @@ fn balance(plan: &Problem<'_>, committed: &State, trial: &Trial<'_>, into: &mut 
     turn_moments(plan, trial.load, at, |dof, beyond| into.structure[dof] -= beyond);
     if !plan.faces.is_empty() {
         into.pressed.fill(0.0);
-        plan.faces.press(trial.faces, trial.u, &mut into.pressed);
+        plan.faces.press(trial.faces, at, &mut into.pressed);
         into.structure.iter_mut().zip(&into.pressed).for_each(|(force, load)| *force -= load);
     }
     plan.constraints.carry(&into.rows, &mut into.structure);

@@ -1,4 +1,4 @@
-//! Pressures that follow their faces.
+//! Pressures that follow their faces, and forces per length that turn with beams.
 //!
 //! ```text
 //!     p |||        o---o   forces at the current shape, their derivative in the tangent
@@ -7,9 +7,11 @@
 
 use crate::constraints::{Constraints, Rows};
 use crate::dofs::DofMap;
+use crate::section_loads::SectionLoad;
 use slideline_linalg::{Kind, Pattern};
 use slideline_mech::pressure::{Face, MOST_NODES};
-use slideline_model::{Dof, Model, NodeIndex, Step};
+use slideline_mech::turn::Turn;
+use slideline_model::{self as model, Dof, Model, NodeIndex, Step};
 
 /// A face with its dofs.
 #[derive(Clone, Debug)]
@@ -23,13 +25,20 @@ struct Pressed {
     own: (Vec<usize>, Vec<usize>),
 }
 
+/// What a load follows.
+#[derive(Clone, Debug)]
+enum Followed {
+    Face(Pressed),
+    Sections(SectionLoad),
+}
+
 /// The most entries of the derivative of the forces of a face.
 const MOST_ENTRIES: usize = 9 * MOST_NODES * MOST_NODES;
 
 /// The faces that a step presses.
 #[derive(Clone, Debug, Default)]
 pub struct FaceLoads {
-    faces: Vec<Pressed>,
+    faces: Vec<Followed>,
     nonlinear: bool,
 }
 
@@ -37,6 +46,12 @@ impl FaceLoads {
     /// Those of a step.
     pub fn new(model: &Model, step: &Step, dofs: &DofMap) -> Self {
         let faces = step.distributed.pressures.iter().map(|load| {
+            let face = match &load.on {
+                model::Pressed::Face(face) => *face,
+                model::Pressed::Sections(shares) => {
+                    return Followed::Sections(SectionLoad::new(&load.nodes, shares, dofs));
+                }
+            };
             let place = |&node: &NodeIndex| model.nodes.get(node).position;
             let of =
                 |&node: &NodeIndex| [Dof::U1, Dof::U2, Dof::U3].map(|dof| dofs.find(node, dof));
@@ -44,7 +59,7 @@ impl FaceLoads {
             let all = dofs.as_flattened().iter().enumerate();
             let own = all.filter_map(|(place, dof)| Some(((*dof)?, place))).unzip();
             let reference = load.nodes.iter().map(place).collect();
-            Pressed { face: load.face, reference, dofs, own }
+            Followed::Face(Pressed { face, reference, dofs, own })
         });
         Self { faces: faces.collect(), nonlinear: step.nlgeom }
     }
@@ -65,9 +80,16 @@ impl FaceLoads {
         x
     }
 
-    /// Forces of these pressures [F/L2] on the dofs [F]: adds to `force`.
-    pub fn press(&self, pressures: &[f64], u: &[f64], force: &mut [f64]) {
-        for (pressed, &pressure) in self.faces.iter().zip(pressures) {
+    /// Forces of these pressures [F/L2 or F/L] on the dofs [F]: adds to `force`.
+    pub fn press(&self, pressures: &[f64], (u, turns): (&[f64], &[Turn]), force: &mut [f64]) {
+        for (followed, &pressure) in self.faces.iter().zip(pressures) {
+            let pressed = match followed {
+                Followed::Face(pressed) => pressed,
+                Followed::Sections(load) => {
+                    load.press(pressure, self.nonlinear.then_some((u, turns)), force);
+                    continue;
+                }
+            };
             let count = pressed.reference.len();
             let mut own = [[0.0; 3]; MOST_NODES];
             let x = self.places(pressed, u);
@@ -88,7 +110,7 @@ impl FaceLoads {
         &self,
         (constraints, pattern, kind): (Constraints<'_>, &Pattern, Kind),
         rows: &Rows,
-        (pressures, u): (&[f64], &[f64]),
+        (pressures, u, turns): (&[f64], &[f64], &[Turn]),
         values: &mut [f64],
     ) {
         if !self.nonlinear || self.faces.is_empty() {
@@ -96,10 +118,23 @@ impl FaceLoads {
         }
         let symmetric = kind == Kind::Symmetric;
         let mut room = [0.0; MOST_ENTRIES];
-        for (pressed, &pressure) in self.faces.iter().zip(pressures) {
+        for (followed, &pressure) in self.faces.iter().zip(pressures) {
             if pressure == 0.0 {
                 continue;
             }
+            let pressed = match followed {
+                Followed::Face(pressed) => pressed,
+                Followed::Sections(load) => {
+                    load.for_each_slope(pressure, (u, turns), |dofs, slope| {
+                        let entry = |i: usize, j: usize| match symmetric {
+                            true => -0.5 * (slope(i, j) + slope(j, i)),
+                            false => -slope(i, j),
+                        };
+                        constraints.scatter((rows, pattern), dofs, entry, values);
+                    });
+                    continue;
+                }
+            };
             let count = pressed.reference.len();
             let width = 3 * count;
             let x = self.places(pressed, u);

@@ -202,8 +202,8 @@ impl<'a> Problem<'a> {
         });
     }
 
-    /// Takes the derivative of the forces of `pressures` on faces [F/L2] from the tangent.
-    pub fn stiffen_by_faces(&self, rows: &Rows, at: (&[f64], &[f64]), values: &mut [f64]) {
+    /// Takes the derivative of the forces of pressures on faces and beams from the tangent.
+    pub fn stiffen_by_faces(&self, rows: &Rows, at: (&[f64], &[f64], &[Turn]), values: &mut [f64]) {
         self.faces.stiffen((self.constraints, self.pattern, self.kind()), rows, at, values);
     }
 

@@ -189,11 +189,11 @@ pub fn assembled(place: &Place<'_>) -> Vec<f64> {
     let gather = plan.gather(rows, &mut values);
     plan.structure.evaluate(&at, &mut contributions, gather, plan.means.pool);
     trial.dashpots.stiffen(plan, rows, &mut values);
-    plan.stiffen_by_faces(rows, (trial.faces, trial.u), &mut values);
+    plan.stiffen_by_faces(rows, (trial.faces, trial.u, ambient.turns), &mut values);
     moments::stiffen(plan, rows, trial.load, (trial.u, ambient.turns), &mut values);
     // Every force on a dependent dof turns with those that it follows.
     let mut force = vec![0.0; trial.load.len()];
-    plan.faces.press(trial.faces, trial.u, &mut force);
+    plan.faces.press(trial.faces, (trial.u, ambient.turns), &mut force);
     force.iter_mut().zip(trial.load).for_each(|(force, load)| *force = -(*force + load));
     plan.structure.gather_force(&contributions, &mut force);
     place.add_contact_force(&place.evaluation.kinematics, trial.u, &mut force);
@@ -388,7 +388,7 @@ impl<'a> Differences<'a> {
         let at = Configuration { u: &self.u, stresses: None, state, ambient };
         plan.structure.evaluate_forces(&at, &mut self.contributions, plan.means.pool);
         self.force.fill(0.0);
-        plan.faces.press(trial.faces, &self.u, &mut self.force);
+        plan.faces.press(trial.faces, (&self.u, trial.ambient.turns), &mut self.force);
         let loads = self.force.iter_mut().zip(trial.load);
         loads.for_each(|(force, load)| *force = -(*force + load));
         let at = (&self.u[..], trial.ambient.turns);

@@ -9,8 +9,8 @@ use crate::limits::{MAX_BYTES, MAX_DEPTH, MAX_FILES, MAX_LINES, MAX_NULS, MAX_VA
 use crate::lines::RawLine;
 
 /// Keywords whose data lines may stand in a file of their own, `INPUT=`.
-const WITH_DATA_ELSEWHERE: [&str; 5] =
-    ["NODE", "ELEMENT", "AMPLITUDE", "INITIALCONDITIONS", "TEMPERATURE"];
+const WITH_DATA_ELSEWHERE: [&str; 7] =
+    ["NODE", "ELEMENT", "AMPLITUDE", "INITIALCONDITIONS", "TEMPERATURE", "EQUATION", "MPC"];
 
 impl Reader<'_> {
     /// Why a file is not read at all.

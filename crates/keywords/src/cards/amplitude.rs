@@ -1,7 +1,7 @@
 //! `*AMPLITUDE`: a curve over time.
 
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{self as model, Curve};
+use slideline_model::{self as model, Curve, Dialect};
 
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
@@ -189,9 +189,14 @@ fn points(card: &Reading<'_>, draft: &mut Draft) -> Vec<(f64, f64)> {
             let time = draft.log.number(line, at, "the time");
             let factor = draft.log.number(line, at + 1, "the factor");
             let (Some(time), Some(factor)) = (time, factor) else { continue };
-            if points.last().is_some_and(|&(last, _)| time <= last) {
+            // CalculiX takes the later of two values of one time, so that the curve jumps there
+            let jumps = draft.dialect == Dialect::Calculix;
+            if points.last().is_some_and(|&(last, _)| time < last || (time == last && !jumps)) {
                 let message = format!("the time {time} does not come after the one before it");
-                draft.log.error("SL0249", message, line.fields[at].span);
+                let error = Diagnostic::error(Code("SL0249"), message).at(line.fields[at].span);
+                let help = "give pairs of time and factor, times ascending; a jump is a rise over a \
+                            short time";
+                draft.log.push(error.help(help));
                 continue;
             }
             points.push((time, factor));

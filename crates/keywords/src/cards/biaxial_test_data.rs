@@ -20,7 +20,7 @@ impl Keyword for BiaxialTestData {
     }
 
     fn subject(&self) -> Subject {
-        Subject::Sections
+        Subject::Properties
     }
 
     fn is_suboption(&self) -> bool {

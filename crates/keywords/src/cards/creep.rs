@@ -27,7 +27,7 @@ impl Keyword for Creep {
     }
 
     fn subject(&self) -> Subject {
-        Subject::Sections
+        Subject::Properties
     }
 
     fn is_suboption(&self) -> bool {

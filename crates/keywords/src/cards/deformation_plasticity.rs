@@ -24,7 +24,7 @@ impl Keyword for DeformationPlasticity {
     }
 
     fn subject(&self) -> Subject {
-        Subject::Sections
+        Subject::Properties
     }
 
     fn is_suboption(&self) -> bool {

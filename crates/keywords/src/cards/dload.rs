@@ -93,7 +93,16 @@ fn line_of(line: &DataLine, draft: &mut Draft) -> Option<Distributed> {
                 draft.log.at_most(line, 3);
                 Kind::Pressure(Some(face - 1))
             }
-            _ => {
+            Some(face) => {
+                let message = format!("no element has a face {face}");
+                let span = line.fields.get(1).map_or(line.span, |field| field.span);
+                let error = Diagnostic::error(Code("SL0256"), message).at(span);
+                let help = "faces are 1 to 3 or 4 in the plane, 1 to 4 of tetrahedra, to 5 of wedges, \
+                            to 6 of bricks";
+                draft.log.push(error.help(help));
+                return None;
+            }
+            None => {
                 unknown(line, "P1 to P6, PX, PY, PZ, BX, BY, BZ, BR, GRAV, CENTRIF", draft);
                 return None;
             }

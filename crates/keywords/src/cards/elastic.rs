@@ -25,7 +25,7 @@ impl Keyword for Elastic {
     }
 
     fn subject(&self) -> Subject {
-        Subject::Sections
+        Subject::Properties
     }
 
     fn is_suboption(&self) -> bool {

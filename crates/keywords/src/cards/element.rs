@@ -94,14 +94,7 @@ fn kind(card: &Reading<'_>, draft: &mut Draft) -> Option<ElementKind> {
         let message = format!("elements of type {name} are not supported");
         let known: Vec<&str> = ElementKind::all().map(ElementKind::name).collect();
         let error = Diagnostic::error(Code("SL0220"), message).at(card.span_of("TYPE"));
-        let help = match name.as_str() {
-            "GAPCYL" | "GAPSPHER" => {
-                "a gap along a direction that stays is GAPUNI with *GAP; a stop along the line of \
-                 two nodes is a SPRINGA with *SPRING, NONLINEAR whose force sets in where it closes"
-                    .to_owned()
-            }
-            _ => format!("supported: {}", known.join(", ")),
-        };
+        let help = format!("supported: {}", known.join(", "));
         draft.log.push(error.help(help));
     }
     found

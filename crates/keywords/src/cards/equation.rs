@@ -9,7 +9,7 @@ use slideline_diag::{Code, Diagnostic, Span};
 
 use crate::constraints::{Equation as Terms, Term};
 use crate::draft::Draft;
-use crate::keyword::{Keyword, Level, Subject};
+use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
 
 /// `*EQUATION`.
@@ -18,6 +18,11 @@ pub(crate) struct Equation;
 impl Keyword for Equation {
     fn name(&self) -> &'static str {
         "EQUATION"
+    }
+
+    fn parameters(&self) -> &'static [Rule] {
+        const RULES: &[Rule] = &[Rule::value("INPUT")];
+        RULES
     }
 
     fn level(&self) -> Level {

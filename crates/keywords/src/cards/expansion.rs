@@ -25,7 +25,7 @@ impl Keyword for Expansion {
     }
 
     fn subject(&self) -> Subject {
-        Subject::Sections
+        Subject::Properties
     }
 
     fn is_suboption(&self) -> bool {

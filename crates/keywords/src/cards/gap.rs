@@ -1,7 +1,7 @@
 //! `*GAP`: clearance and direction of gap elements.
 
 use crate::draft;
-use crate::draft::Draft;
+use crate::draft::{Draft, Owner};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
 
@@ -31,6 +31,7 @@ impl Keyword for Gap {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
+        draft.owner = Owner::Gap;
         let Some(set) = card.name("ELSET") else { return };
         let Some(line) = card.only_line("the clearance, the direction", &mut draft.log) else {
             return;

@@ -56,7 +56,7 @@ impl Keyword for Hyperelastic {
     }
 
     fn subject(&self) -> Subject {
-        Subject::Sections
+        Subject::Properties
     }
 
     fn is_suboption(&self) -> bool {

@@ -7,7 +7,7 @@ use crate::constraints::{Link, LinkKind, Shape, ShapeMpc};
 use crate::draft::Draft;
 use crate::log::Target;
 
-use crate::keyword::{Keyword, Level, Subject};
+use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
 
 /// `*MPC`.
@@ -16,6 +16,11 @@ pub(crate) struct Mpc;
 impl Keyword for Mpc {
     fn name(&self) -> &'static str {
         "MPC"
+    }
+
+    fn parameters(&self) -> &'static [Rule] {
+        const RULES: &[Rule] = &[Rule::value("INPUT")];
+        RULES
     }
 
     fn level(&self) -> Level {

@@ -30,7 +30,7 @@ impl Keyword for Plastic {
     }
 
     fn subject(&self) -> Subject {
-        Subject::Sections
+        Subject::Properties
     }
 
     fn is_suboption(&self) -> bool {

@@ -23,7 +23,15 @@ impl Keyword for Print {
     }
 
     fn without_effect(&self) -> &'static [&'static str] {
-        crate::requests::WITHOUT_EFFECT
+        &[
+            "ADAPTIVE MESH",
+            "ALLKE",
+            "CRITICAL ELEMENT",
+            "DMASS",
+            "ETOTAL",
+            "MODEL CHANGE",
+            "PLASTICITY",
+        ]
     }
 
     fn level(&self) -> Level {

@@ -23,6 +23,7 @@ impl Keyword for Surface {
             Rule::required("NAME"),
             Rule::value("TYPE"),
             Rule::value("FILLET RADIUS"),
+            Rule::value("COMBINE"),
             Rule::flag("INTERNAL"),
         ];
         RULES
@@ -64,6 +65,7 @@ impl Keyword for Surface {
             return;
         }
         let extent = match kind {
+            _ if card.has("COMBINE") => combined(card, draft),
             Some("SEGMENTS") => rigid_surface::segments(card, draft)
                 .map(|(start, segments)| Extent::Rigid { start, segments }),
             Some("CYLINDER") => swept_surface::drawn_along(card, draft),
@@ -174,6 +176,47 @@ fn nodes(card: &Reading<'_>, draft: &mut Draft) -> Option<Extent> {
         nodes.extend(target.map(|target| (target, line.fields[0].span)));
     }
     Some(Extent::Nodes(nodes))
+}
+
+/// Surfaces that were defined before, taken together.
+fn combined(card: &Reading<'_>, draft: &mut Draft) -> Option<Extent> {
+    without_fillets(card, draft);
+    if card.choice("COMBINE", &["UNION", "DIFFERENCE", "INTERSECTION"], &mut draft.log)? != "UNION"
+    {
+        let message = "COMBINE of *SURFACE other than UNION is not supported";
+        let error = Diagnostic::error(Code("SL0221"), message).at(card.span_of("COMBINE"));
+        let help = "name the faces themselves, with S1 to S6 or a set of elements";
+        draft.consequence(Subject::Contact, error.help(help));
+        return None;
+    }
+    let mut whole: Option<Extent> = None;
+    for field in card.data().iter().flat_map(|line| &line.fields) {
+        let name = normalise(&field.text);
+        if name.is_empty() {
+            continue;
+        }
+        let Some(part) = draft.named_surfaces.iter().find(|old| old.named.name == name) else {
+            let message = format!("there is no surface {} in front of this card", field.text);
+            let error = Diagnostic::error(Code("SL0327"), message).at(field.span);
+            draft.consequence(Subject::Contact, error.help("define it by a *SURFACE before"));
+            return None;
+        };
+        match (&mut whole, part.extent.clone()) {
+            (None, part @ (Extent::Elements(_) | Extent::Nodes(_))) => whole = Some(part),
+            (Some(Extent::Elements(all)), Extent::Elements(part)) => all.extend(part),
+            (Some(Extent::Nodes(all)), Extent::Nodes(part)) => all.extend(part),
+            _ => {
+                let message =
+                    format!("the surface {} is of another kind than the first", field.text);
+                let error = Diagnostic::error(Code("SL0332"), message).at(field.span);
+                let help = "a union is of faces alone or of nodes alone";
+                draft.consequence(Subject::Contact, error.help(help));
+                return None;
+            }
+        }
+    }
+    note_empty(card, draft);
+    Some(whole.unwrap_or_else(|| Extent::Elements(Vec::new())))
 }
 
 /// Where a card gives areas of nodes: CAE programs write 1 wherever a set of nodes is made a

@@ -29,7 +29,7 @@ impl Keyword for Viscoelastic {
     }
 
     fn subject(&self) -> Subject {
-        Subject::Sections
+        Subject::Properties
     }
 
     fn is_suboption(&self) -> bool {

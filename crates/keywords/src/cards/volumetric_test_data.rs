@@ -18,7 +18,7 @@ impl Keyword for VolumetricTestData {
     }
 
     fn subject(&self) -> Subject {
-        Subject::Sections
+        Subject::Properties
     }
 
     fn is_suboption(&self) -> bool {

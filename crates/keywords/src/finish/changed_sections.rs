@@ -133,7 +133,7 @@ impl ChangedSections {
             let error = Diagnostic::error(Code("SL0309"), message).at(named.span);
             let help =
                 "give it *PLASTIC before the first step: a yield stress that is never reached";
-            draft.consequence(Subject::Sections, error.help(help));
+            draft.consequence(Subject::Properties, error.help(help));
             return;
         };
         *hardening = Some(yielding.clone());
@@ -183,7 +183,7 @@ impl ChangedSections {
             let help = "both materials must yield, creep or relax alike; one that shall not yield has \
                         a *PLASTIC whose stress is never reached";
             draft.consequence(
-                Subject::Sections,
+                Subject::Properties,
                 error.label(own.origin, "their section").help(help),
             );
             return;

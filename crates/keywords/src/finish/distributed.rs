@@ -4,7 +4,7 @@ use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::element::quadrature::Quadrature;
 use slideline_mech::pressure::Face;
 use slideline_mech::volume;
-use slideline_model::{Dialect, Dof, ElementType, Kinematics, NodeIndex};
+use slideline_model::{Dialect, Dof, ElementType, Kinematics, NodeIndex, Pressed};
 
 use super::faces::{self, SolidFace, face_nodes};
 use super::line_loads;
@@ -16,7 +16,7 @@ use crate::rule::Subject;
 
 /// Of what a load consists.
 pub(super) enum What {
-    Pressure(Face, Vec<NodeIndex>),
+    Pressure(Pressed, Vec<NodeIndex>),
     /// Forces of a unit load.
     Forces(Vec<(NodeIndex, Dof, f64)>),
 }
@@ -24,14 +24,14 @@ pub(super) enum What {
 /// What a line loads, by element and kind.
 pub(super) type Resolved = Vec<((usize, Key), What)>;
 
-/// What a line loads in a step with or without large motion.
-pub(super) fn resolve((line, nlgeom): (&Distributed, bool), draft: &mut Draft) -> Resolved {
+/// What a line loads.
+pub(super) fn resolve(line: &Distributed, draft: &mut Draft) -> Resolved {
     match (&line.on, line.kind) {
         (On::Elements(target, span), Kind::Pressure(Some(face))) => {
             let (mut all, mut across) = (Vec::new(), Resolved::new());
             for index in elements(target, *span, draft) {
-                if is_space_beam(index, draft) && face < 2 {
-                    across.extend(on_section(index, face, (line, nlgeom), draft));
+                if is_loaded_beam(index, draft) && face < 2 {
+                    across.extend(on_section(index, face, line, draft));
                     continue;
                 }
                 match face_nodes(index, Some(face), draft) {
@@ -61,28 +61,30 @@ pub(super) fn resolve((line, nlgeom): (&Distributed, bool), draft: &mut Draft) -
                 let message = "no element takes this load: none of them has a *DENSITY";
                 let error = Diagnostic::error(Code("SL0309"), message).at(line.origin);
                 let help = "give the material a *DENSITY, and name a set of solids";
-                draft.consequence(Subject::Sections, error.help(help));
+                draft.consequence(Subject::Properties, error.help(help));
             }
             loaded
         }
     }
 }
 
-fn is_space_beam(index: usize, draft: &Draft) -> bool {
-    matches!(draft.elements[index].kind, ElementKind::Structural(row) if row.is_space_beam())
+fn is_loaded_beam(index: usize, draft: &Draft) -> bool {
+    let ElementKind::Structural(row) = draft.elements[index].kind else { return false };
+    !row.is_truss() && line_loads::takes_loads(row)
 }
 
-/// A force per length along an axis of the section.
+/// A force per length along an axis of the section, which it follows.
 fn on_section(
     index: usize,
     axis: usize,
-    (line, nlgeom): (&Distributed, bool),
+    line: &Distributed,
     draft: &mut Draft,
 ) -> Option<((usize, Key), What)> {
     let nodes = face_nodes(index, None, draft)?;
     let section = section_of(index, draft)?.clone();
-    let forces = line_loads::across((&nodes, &section), axis, (line, nlgeom), draft)?;
-    let what = What::Forces(shares(&nodes, &forces, draft));
+    let ElementKind::Structural(row) = draft.elements[index].kind else { return None };
+    let shares = line_loads::across((&nodes, &section, row), axis, line, draft)?;
+    let what = What::Pressure(Pressed::Sections(shares), nodes);
     Some(((index, line.key(axis + 1, draft.dialect)), what))
 }
 
@@ -145,7 +147,7 @@ fn on_face(own: &SolidFace, line: &Distributed, draft: &mut Draft) -> Option<((u
             }
             What::Forces(shares(&own.nodes, &forces, draft))
         }
-        _ => What::Pressure(face, own.nodes.clone()),
+        _ => What::Pressure(Pressed::Face(face), own.nodes.clone()),
     };
     Some(((own.element, line.key(number, draft.dialect)), what))
 }
@@ -270,7 +272,7 @@ fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((us
             None => {
                 let message = format!("the material {material} has no *DENSITY for this load");
                 let error = Diagnostic::error(Code("SL0309"), message).at(line.origin);
-                draft.consequence(Subject::Sections, error);
+                draft.consequence(Subject::Properties, error);
                 return None;
             }
         },

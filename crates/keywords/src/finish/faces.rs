@@ -6,7 +6,7 @@
 //!    o-----o-----o     those that no other element of the set shares
 //! ```
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::NodeIndex;
@@ -29,7 +29,7 @@ pub(super) struct SolidFace {
     pub span: Span,
 }
 
-/// The faces of a surface of elements; `user` names it. Complains about other surfaces.
+/// The faces of a surface of elements, each once; `user` names it. Complains about other surfaces.
 pub(super) fn faces(surface: &NamedSurface, user: Span, draft: &mut Draft) -> Vec<SolidFace> {
     let stretches = match &surface.extent {
         Extent::Elements(stretches) => stretches,
@@ -47,6 +47,9 @@ pub(super) fn faces(surface: &NamedSurface, user: Span, draft: &mut Draft) -> Ve
         let found = elements_of(stretch, draft);
         faces.extend(of_stretch(&found, stretch, draft));
     }
+    // a surface is a set: a face that two of its lines name is there once
+    let mut seen = HashSet::new();
+    faces.retain(|face| seen.insert((face.element, face.face)));
     faces
 }
 
@@ -119,7 +122,7 @@ pub(super) fn nodes_of_surface(
             wrong_kind(surface, "is analytical and has no nodes", user, draft);
         }
     }
-    let mut seen = std::collections::HashSet::new();
+    let mut seen = HashSet::new();
     nodes.retain(|node| seen.insert(*node));
     nodes
 }
@@ -163,7 +166,13 @@ pub(super) fn no_face(index: usize, face: usize, span: Span, draft: &mut Draft) 
         0 => "it has no faces".to_owned(),
         _ => format!("its faces are 1 to {count}"),
     };
-    draft.consequence(Subject::Elements, error.help(help));
+    if count == 0 {
+        draft.consequence(Subject::Elements, error.help(help));
+    } else if draft.log.first_time(&format!("SL0256 {} {}", span.file.0, span.start)) {
+        // whatever else is wrong with elements: those of this type have no such face
+        draft.log.push(error.help(help));
+        draft.mark_incomplete(Subject::Contact);
+    }
 }
 
 /// The nodes of a face; of the whole element where it is a line. `None` where there is no such

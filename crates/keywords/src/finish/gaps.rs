@@ -3,8 +3,8 @@
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::contact::normal::NormalLaw;
 use slideline_model::{
-    Dialect, ElementBlock, Kinematics, NodeIndex, Section, SpringLaw, SpringSection, SpringWay,
-    types,
+    Dialect, ElementBlock, ElementType, Kinematics, NodeIndex, Section, SpringLaw, SpringSection,
+    SpringWay, types,
 };
 
 use super::sections::without;
@@ -26,7 +26,7 @@ pub(super) fn gaps(draft: &mut Draft) {
     let mut owned = vec![false; draft.elements.len()];
     for gap in draft.gaps.clone() {
         let Some(found) = draft.elements_of(&gap.set, gap.set_span) else { continue };
-        let own = |element: &Element| element.kind == ElementKind::Structural(&types::GAPUNI);
+        let own = |element: &Element| ROWS.iter().any(|row| is_of(element, row));
         if let Some(foreign) = found.iter().map(|&at| draft.elements[at]).find(|e| !own(e)) {
             let (label, name) = (foreign.label, foreign.kind.name());
             let message = format!(
@@ -38,25 +38,88 @@ pub(super) fn gaps(draft: &mut Draft) {
         }
         let found: Vec<usize> = found.into_iter().filter(|&at| own(&draft.elements[at])).collect();
         found.iter().for_each(|&at| owned[at] = true);
-        if let Some(block) = block(&gap, &found, draft) {
-            draft.model.blocks.push(block);
+        for row in ROWS {
+            let is_own = |at: &usize| is_of(&draft.elements[*at], row);
+            let own: Vec<usize> = found.iter().copied().filter(is_own).collect();
+            // a set without gaps is a block of the first row
+            if own.is_empty() && !(found.is_empty() && row == ROWS[0]) {
+                continue;
+            }
+            if let Some(block) = block((&gap, row), &own, draft) {
+                draft.model.blocks.push(block);
+            }
         }
     }
-    without(&types::GAPUNI, "*GAP", &owned, draft);
+    for row in ROWS {
+        without(row, "*GAP", &owned, draft);
+    }
 }
 
-/// The block of a card; `None` after an error.
-fn block(gap: &Gap, found: &[usize], draft: &mut Draft) -> Option<ElementBlock> {
+/// The types of gaps.
+static ROWS: [&ElementType; 3] = [&types::GAPUNI, &types::GAPCYL, &types::GAPSPHER];
+
+fn is_of(element: &Element, row: &'static ElementType) -> bool {
+    element.kind == ElementKind::Structural(row)
+}
+
+/// How a gap measures its opening; `None` after an error.
+fn way(gap: &Gap, row: &ElementType, draft: &mut Draft) -> Option<SpringWay> {
     let in_space = draft.is_spatial();
-    if gap.direction.is_some_and(|[x, y, _]| !in_space && x == 0.0 && y == 0.0) {
-        let message = "the direction of the gap leaves the plane of the model";
-        draft.log.error("SL0210", message, gap.origin);
-        return None;
+    let off_plane = |[x, y, z]: [f64; 3]| !in_space && x == 0.0 && y == 0.0 && z != 0.0;
+    let (inside, radius) = (gap.clearance > 0.0, gap.clearance.abs());
+    let refused = match row.name() {
+        "GAPUNI" if gap.direction.is_some_and(off_plane) => {
+            "the direction of the gap leaves the plane of the model"
+        }
+        "GAPCYL" if in_space && gap.direction.is_none() => {
+            "the axis of the gap is missing: the numbers behind the clearance"
+        }
+        "GAPCYL" if gap.direction.is_some_and(|axis| !in_space && !off_plane(axis)) => {
+            "in the plane the axis of the gap is 0, 0, 1"
+        }
+        "GAPCYL" | "GAPSPHER" if radius == 0.0 => {
+            "the clearance of a round gap is a distance: positive where one node stays within it \
+             of the other, negative where it stays outside"
+        }
+        name => {
+            return Some(match name {
+                "GAPUNI" => {
+                    let direction = gap.direction.map(|[x, y, z]| match in_space {
+                        true => [x, y, z],
+                        false => [x / x.hypot(y), y / x.hypot(y), 0.0],
+                    });
+                    SpringWay::Direction { direction, in_space }
+                }
+                "GAPCYL" => SpringWay::Around { axis: gap.direction, inside, radius, in_space },
+                _ => SpringWay::Around { axis: None, inside, radius, in_space },
+            });
+        }
+    };
+    draft.log.error("SL0210", refused, gap.origin);
+    None
+}
+
+/// Whether nothing says which way a gap closes: its nodes meet.
+fn has_no_direction(way: SpringWay, [a, b]: [[f64; 3]; 2]) -> bool {
+    match way {
+        SpringWay::Direction { direction, .. } => direction.is_none() && a == b,
+        SpringWay::Around { axis, inside: false, .. } => {
+            let apart: [f64; 3] = std::array::from_fn(|k| b[k] - a[k]);
+            let axis = axis.unwrap_or_default();
+            let along: f64 = axis.iter().zip(apart).map(|(a, x)| a * x).sum();
+            (0..3).all(|k| apart[k] - along * axis[k] == 0.0)
+        }
+        _ => false,
     }
-    let direction = gap.direction.map(|[x, y, z]| match in_space {
-        true => [x, y, z],
-        false => [x / x.hypot(y), y / x.hypot(y), 0.0],
-    });
+}
+
+/// The block of a card and a type; `None` after an error.
+fn block(
+    (gap, row): (&Gap, &'static ElementType),
+    found: &[usize],
+    draft: &mut Draft,
+) -> Option<ElementBlock> {
+    let way = way(gap, row, draft)?;
     let mut elements: Vec<(u64, [NodeIndex; 2], Span)> = Vec::with_capacity(found.len());
     for &at in found {
         let element = draft.elements[at];
@@ -64,17 +127,21 @@ fn block(gap: &Gap, found: &[usize], draft: &mut Draft) -> Option<ElementBlock> 
         let nodes: Option<Vec<NodeIndex>> =
             labels.map(|&label| draft.model.nodes.find(label)).collect();
         let Some(&[a, b]) = nodes.as_deref() else { continue };
-        if direction.is_none() && draft.model.nodes.position(a) == draft.model.nodes.position(b) {
+        let ends = [a, b].map(|node| draft.model.nodes.position(node));
+        if has_no_direction(way, ends) {
             no_direction(&element, gap, draft);
             return None;
         }
         elements.push((element.label, [a, b], element.origin));
     }
     let law = Box::new(law(gap, &elements, draft)?);
-    let law = SpringLaw::Gap { clearance: gap.clearance, law };
-    let way = SpringWay::Direction { direction, in_space };
+    let clearance = match way {
+        SpringWay::Around { radius, .. } => radius,
+        _ => gap.clearance,
+    };
+    let law = SpringLaw::Gap { clearance, law };
     let section = Section::Spring(SpringSection { law, way });
-    let mut block = ElementBlock::new(&types::GAPUNI, &gap.set, section, gap.origin);
+    let mut block = ElementBlock::new(row, &gap.set, section, gap.origin);
     for (label, nodes, origin) in elements {
         block.elements.push(label, &nodes, origin);
     }

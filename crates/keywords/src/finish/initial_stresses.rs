@@ -106,7 +106,7 @@ fn stress(line: &StressLine, element: ElementIndex, draft: &mut Draft) -> Option
         let message = format!("the material of {} does not bear this initial stress", block.name);
         let error = Diagnostic::error(Code("SL0385"), message).at(line.origin);
         let help = "an initial stress must lie within the yield surface, and far below the modulus";
-        draft.consequence(Subject::Sections, error.help(help));
+        draft.consequence(Subject::Properties, error.help(help));
         return None;
     }
     Some(InitialStress { element, point: line.point, stress, origin: line.origin })

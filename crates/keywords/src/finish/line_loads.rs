@@ -34,21 +34,21 @@ fn unit(axis: usize) -> [f64; 3] {
     std::array::from_fn(|k| if k == axis { 1.0 } else { 0.0 })
 }
 
-/// Forces of a unit force per length along axis 1 or 2 of the section of a beam in space; `None`,
-/// with a complaint, where it would have to turn with the section or mean something else.
+/// Forces of a unit force per length along axis 1 or 2 of the section of a beam; `None`, with a
+/// complaint, where it leaves the plane or means something else.
 pub(super) fn across(
-    (nodes, section): (&[NodeIndex], &Section),
+    (nodes, section, row): (&[NodeIndex], &Section, &ElementType),
     axis: usize,
-    (line, nlgeom): (&Distributed, bool),
+    line: &Distributed,
     draft: &mut Draft,
 ) -> Option<Vec<[f64; 3]>> {
     let why = match draft.dialect {
         Dialect::Calculix => Some("is a pressure on the side of the expanded beam in CalculiX"),
-        Dialect::Abaqus if nlgeom => Some("turns with the section where displacements are large"),
+        Dialect::Abaqus if axis == 0 && row.is_beam() => Some("acts across the plane of the model"),
         Dialect::Abaqus => None,
     };
     if let Some(why) = why {
-        let message = format!("P{} on a beam in space {why}, which is not supported", axis + 1);
+        let message = format!("P{} on a {} element {why}: not supported", axis + 1, row.name());
         let error = Diagnostic::error(Code("SL0221"), message).at(line.origin);
         let help = "give the force per length along an axis of the model: PX, PY, PZ";
         draft.consequence(Subject::Elements, error.help(help));
@@ -56,7 +56,10 @@ pub(super) fn across(
     }
     let Body::Beam { first_axis, .. } = section.body else { return None };
     let x: Vec<[f64; 3]> = nodes.iter().map(|&node| draft.model.nodes.position(node)).collect();
-    // a section without axes has been complained of
-    let along = |t| section_axes(t, first_axis).map_or([0.0; 3], |axes| axes[1 + axis]);
+    // a section without axes has been complained of; in the plane axis 1 points into the plane
+    let along = |t: [f64; 3]| match row.is_beam() {
+        true => [-t[1], t[0], 0.0],
+        false => section_axes(t, first_axis).map_or([0.0; 3], |axes| axes[1 + axis]),
+    };
     Some(volume::spread_along(&x, |_, t| along(t)))
 }

@@ -29,7 +29,7 @@ pub(super) fn lines_have_no_axes(
         let message = format!("the material {} is anisotropic; trusses are not", section.material);
         let error = Diagnostic::error(Code("SL0309"), message).at(section.material_span);
         let help = "give trusses a material of *ELASTIC: E, nu";
-        draft.consequence(Subject::Sections, error.help(help));
+        draft.consequence(Subject::Properties, error.help(help));
     } else if let Some(card) = uneven.filter(|_| bars || beams) {
         let message = format!(
             "the material {} expands along three axes; trusses and beams have their own alone",
@@ -37,7 +37,7 @@ pub(super) fn lines_have_no_axes(
         );
         let error = Diagnostic::error(Code("SL0309"), message).at(section.material_span);
         let error = error.label(card, "three coefficients");
-        draft.consequence(Subject::Sections, error.help("give them one: *EXPANSION, TYPE=ISO"));
+        draft.consequence(Subject::Properties, error.help("give them one: *EXPANSION, TYPE=ISO"));
     }
 }
 
@@ -63,7 +63,7 @@ pub(super) fn in_plane_stress(
         );
         let error = Diagnostic::error(Code("SL0309"), message).at(section.material_span);
         let help = "give all nine constants: *ELASTIC, TYPE=ENGINEERING CONSTANTS";
-        draft.consequence(Subject::Sections, error.help(help));
+        draft.consequence(Subject::Properties, error.help(help));
     }
 }
 
@@ -90,7 +90,7 @@ pub(super) fn material(
         let card = others.iter().zip(names).find(|own| *own.0).map_or("no", |own| own.1);
         let message = format!("the material {} has {card} *ELASTIC", material.name);
         let error = Diagnostic::error(Code("SL0309"), message).at(material.origin);
-        draft.consequence(Subject::Sections, error.help("put *ELASTIC behind *MATERIAL: E, nu"));
+        draft.consequence(Subject::Properties, error.help("put *ELASTIC behind *MATERIAL: E, nu"));
         return None;
     };
     let isotropic = matches!(elasticity, Elasticity::Isotropic(_) | Elasticity::Unread);
@@ -98,7 +98,7 @@ pub(super) fn material(
         let message = format!("the material {} {} and yields", material.name, elasticity.word());
         let error = Diagnostic::error(Code("SL0309"), message).at(plastic.1);
         let error = error.label(card.1, "its elasticity");
-        draft.consequence(Subject::Sections, error.help("*PLASTIC goes with *ELASTIC: E, nu"));
+        draft.consequence(Subject::Properties, error.help("*PLASTIC goes with *ELASTIC: E, nu"));
         return None;
     }
     if !is_sound_metal(&material, draft) || !takes_time_soundly(&material, draft) {
@@ -114,8 +114,10 @@ pub(super) fn material(
         };
         let message = format!("the material {} {what}; beams are elastic", material.name);
         let error = Diagnostic::error(Code("SL0309"), message).at(section.material_span);
-        draft
-            .consequence(Subject::Sections, error.help("give beams a material of *ELASTIC: E, nu"));
+        draft.consequence(
+            Subject::Properties,
+            error.help("give beams a material of *ELASTIC: E, nu"),
+        );
         return None;
     }
     section.body.clone().of(&material, orientation, draft.dialect)
@@ -133,7 +135,7 @@ fn is_sound_metal(material: &crate::draft::Material, draft: &mut Draft) -> bool 
         let message = "*CYCLIC HARDENING belongs to *PLASTIC, HARDENING=COMBINED";
         let error = Diagnostic::error(Code("SL0309"), message).at(growth.1);
         let help = "write HARDENING=COMBINED on *PLASTIC, or leave *CYCLIC HARDENING out";
-        draft.consequence(Subject::Sections, error.help(help));
+        draft.consequence(Subject::Properties, error.help(help));
         return false;
     }
     if moves && material.isotropic().is_some_and(|table| table.len() > 1) {
@@ -143,7 +145,7 @@ fn is_sound_metal(material: &crate::draft::Material, draft: &mut Draft) -> bool 
         );
         let error = Diagnostic::error(Code("SL0309"), message).at(material.origin);
         let help = "kinematic hardening takes constants of one temperature";
-        draft.consequence(Subject::Sections, error.help(help));
+        draft.consequence(Subject::Properties, error.help(help));
         return false;
     }
     true
@@ -193,7 +195,7 @@ fn takes_time_soundly(material: &crate::draft::Material, draft: &mut Draft) -> b
     let error = Diagnostic::error(Code("SL0309"), message).at(card.1);
     let help = "*VISCOELASTIC goes with *ELASTIC: E, nu or *HYPERELASTIC; *CREEP with *ELASTIC: E, nu \
                 and with *PLASTIC of isotropic hardening";
-    draft.consequence(Subject::Sections, error.help(help));
+    draft.consequence(Subject::Properties, error.help(help));
     false
 }
 

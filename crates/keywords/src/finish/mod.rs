@@ -88,6 +88,7 @@ pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     pre_tension::tie(&parted, draft);
     links::links(draft);
     temperatures::initial(draft);
+    temperatures::without_expansion(draft);
     steps::steps(draft, steps_doubted);
     renumber(&mut draft.model);
     std::mem::take(&mut draft.model)

@@ -130,7 +130,9 @@ fn out_of_plane(draft: &mut Draft) {
         let error = Diagnostic::error(Code("SL0258"), message).at(origin);
         draft.log.push(error.help("turn it about an axis along z"));
     }
-    let outside = draft.model.nodes.iter().find(|node| node.position[2] != 0.0);
+    // elements that are not read may be those in space
+    let known = draft.is_complete(Subject::Elements);
+    let outside = draft.model.nodes.iter().find(|node| known && node.position[2] != 0.0);
     if let Some(node) = outside {
         let message =
             format!("node {} has z = {}; the model is plane", node.label, node.position[2]);

@@ -95,15 +95,10 @@ impl InForce {
     }
 
     /// Puts the lines of a step into force, each with its amplitude.
-    pub fn take(
-        &mut self,
-        lines: &[(&Distributed, Option<usize>)],
-        nlgeom: bool,
-        draft: &mut Draft,
-    ) {
+    pub fn take(&mut self, lines: &[(&Distributed, Option<usize>)], draft: &mut Draft) {
         let mut new = Vec::new();
         for &(line, amplitude) in lines {
-            for (place, what) in resolve((line, nlgeom), draft) {
+            for (place, what) in resolve(line, draft) {
                 let (what, value) = (Rc::new(what), line.value);
                 new.push((place, Entry { what, value, amplitude, origin: line.origin }));
             }
@@ -133,10 +128,10 @@ impl Entry {
     fn add(&self, before: Option<(&Self, usize)>, at_once: bool, loads: &mut model::Distributed) {
         let (value, amplitude, origin) = (self.value, self.amplitude, self.origin);
         match &*self.what {
-            What::Pressure(face, nodes) => {
+            What::Pressure(on, nodes) => {
                 let continues = before.map(|(_, place)| place);
-                let (face, nodes) = (*face, nodes.clone());
-                let pressure = Pressure { face, nodes, value, amplitude, continues, origin };
+                let (on, nodes) = (on.clone(), nodes.clone());
+                let pressure = Pressure { on, nodes, value, amplitude, continues, origin };
                 loads.pressures.push(pressure);
             }
             What::Forces(forces) => {

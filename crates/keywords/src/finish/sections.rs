@@ -53,6 +53,13 @@ pub(super) fn sections(draft: &mut Draft) {
         }
     }
     allowables(draft);
+    // what has no section is looked at all the same
+    for index in (0..draft.elements.len()).filter(|&index| owner[index].is_none()) {
+        let element = draft.elements[index];
+        if let ElementKind::Structural(row) = element.kind {
+            nodes(&element, row, draft);
+        }
+    }
     let owned: Vec<bool> = owner.iter().map(Option::is_some).collect();
     for row in TYPES {
         if let Some(card) = row.kinematics.card().filter(|_| row.joins()) {

@@ -204,7 +204,7 @@ fn distribute(step: &StepDraft, carried: &mut Carried, draft: &mut Draft) {
         (line, amplitude)
     });
     let lines: Vec<_> = lines.collect();
-    carried.distributed.take(&lines, step.nlgeom, draft);
+    carried.distributed.take(&lines, draft);
     carried.distributed.wait(|element| carried.absent.contains(element));
 }
 

@@ -20,6 +20,18 @@ pub(super) fn initial(draft: &mut Draft) {
     }
 }
 
+/// Says that temperatures of the steps cause no strain where no material expands.
+pub(super) fn without_expansion(draft: &mut Draft) {
+    if draft.materials.iter().any(|material| material.expansion.is_some()) {
+        return;
+    }
+    let lines = draft.steps.iter().flat_map(|step| &step.temperatures);
+    let Some(span) = lines.map(|line| line.origin).next() else { return };
+    let message = "temperatures cause no strain here: no material expands";
+    let note = Diagnostic::note(Code("SL0253"), message).at(span);
+    draft.log.push(note.help("give the material its *EXPANSION, or leave *TEMPERATURE out"));
+}
+
 /// Puts a line of a step, with its amplitude, into force.
 pub(super) fn heat(
     (line, amplitude): (&Heat, Option<usize>),

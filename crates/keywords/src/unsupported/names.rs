@@ -47,8 +47,8 @@ pub(super) const GROUPS: &[Group] = &[
     ),
     (
         Ignored,
-        "the linear equations are solved to a tolerance that the program chooses",
-        &["SOLVER CONTROLS"],
+        "the program chooses how the equations are solved",
+        &["SOLVER CONTROLS", "SOLUTION TECHNIQUE", "WAVEFRONT MINIMIZATION"],
     ),
     (
         Ignored,
@@ -118,9 +118,13 @@ pub(super) const GROUPS: &[Group] = &[
             "CONTACT PERMEABILITY",
             "CONTACT RESPONSE",
             "COHESIVE BEHAVIOR",
-            "NORMAL",
             "IMPERMEABLE CONTACT",
         ],
+    ),
+    (
+        Unsupported,
+        "a beam's axes are those of its section card, normals of contact those of its faces",
+        &["NORMAL"],
     ),
     (
         Unsupported,
@@ -275,6 +279,7 @@ pub(super) const GROUPS: &[Group] = &[
             "MATRIX ASSEMBLE",
             "MATRIX INPUT",
             "MEMBRANE SECTION",
+            "SURFACE SECTION",
             "REBAR",
             "REBAR LAYER",
             "SECTION POINTS",
@@ -390,7 +395,6 @@ pub(super) const GROUPS: &[Group] = &[
             "TRACER PARTICLE",
             "UNDEX CHARGE PROPERTY",
             "EXTERNAL FIELD",
-            "SOLUTION TECHNIQUE",
         ],
     ),
 ];

@@ -61,10 +61,16 @@ const GROUPS: &[Group] = &[
         "write the values on data lines",
         &["USER", "FILE", "STEP", "INC", "GEOSTATIC", "SECTION POINTS", "REBAR"],
     ),
+    ("ELASTIC", "give the constants over temperature alone", &["DEPENDENCIES", "USER"]),
+    ("EXPANSION", "give the coefficients over temperature alone", &["DEPENDENCIES", "USER"]),
     ("ELCOPY", "copy by numbers, and give *NCOPY the place", &["REFLECT", "SHIFT ELEMENT"]),
     ("NCOPY", "copy with SHIFT: a translation and a rotation", &["REFLECT", "POLE", "ORIENTATION"]),
     ("NFILL", "the nodes stand at equal distances", &["BIAS", "SINGULAR", "TWO STEP"]),
-    ("PLASTIC", "give one table of yield stress over plastic strain", &["RATE"]),
+    (
+        "PLASTIC",
+        "give one table of yield stress over plastic strain",
+        &["RATE", "DEPENDENCIES", "PROPERTIES"],
+    ),
     (
         "SOLID SECTION",
         "make one element layer for each material",
@@ -88,7 +94,7 @@ const GROUPS: &[Group] = &[
     (
         "SURFACE",
         "name the faces themselves, with S1 to S6 or a set of elements",
-        &["COMBINE", "CROP", "MAX RATIO", "REGION TYPE", "PROPERTY", "TRIM"],
+        &["CROP", "MAX RATIO", "REGION TYPE", "PROPERTY", "TRIM"],
     ),
     ("TIE", "model the whole, not a sector of it", &["CYCLIC SYMMETRY", "MULTISTAGE"]),
     (

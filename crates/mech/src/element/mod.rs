@@ -36,5 +36,7 @@ pub use kernel::{
 pub use mixed::Mixed;
 pub use solid::Solids;
 pub use space_beam::{SpaceBeam, SpaceBeams};
-pub use spring::{AxialSpring, DirectedSpring, GroundSpring, RelativeSpring, SpringLaw};
+pub use spring::{
+    AxialSpring, DirectedSpring, GroundSpring, RadialSpring, RelativeSpring, SpringLaw,
+};
 pub use truss::{Bar, Trusses};

@@ -7,7 +7,7 @@ use slideline_mech::element::heated::Heated;
 use slideline_mech::element::solid::{Formulation, Interpolation, Recipe, Solids, Told};
 use slideline_mech::element::{
     AxialSpring, Bar, Beam21, Beam22, Beam23, DirectedSpring, GroundSpring, HeatedBeams, Instances,
-    Kernel, RelativeSpring, SpaceBeam, SpaceBeams, SpringLaw, Trusses,
+    Kernel, RadialSpring, RelativeSpring, SpaceBeam, SpaceBeams, SpringLaw, Trusses,
 };
 use slideline_mech::section::{
     BeamStiffness, SpaceStiffness, TransverseShear, space_stiffness, stiffness,
@@ -119,6 +119,27 @@ pub(super) fn gapuni(block: &Undeformed<'_>, room: Kept) -> Kept {
         let springs = block.plane::<2>().map(|ends| {
             let direction = direction.map_or_else(|| unit(ends), |[x, y, _]| [x, y]);
             DirectedSpring { direction, law: section.law.clone() }
+        });
+        Instances::<_, 4, 16>::in_room(room, springs)
+    })
+}
+
+/// Gaps by the distance of their nodes.
+pub(super) fn round_gap(block: &Undeformed<'_>, room: Kept) -> Kept {
+    let Section::Spring(section) = block.section else { return None };
+    let SpringWay::Around { axis, inside, radius, in_space } = section.way else { return None };
+    let law = &section.law;
+    Some(if in_space {
+        let springs = block.positions::<3, 2>().map(|[from, to]| {
+            let apart = std::array::from_fn(|k| to[k] - from[k]);
+            RadialSpring { apart, axis, inside, radius, law: law.clone() }
+        });
+        Instances::<_, 6, 36>::in_room(room, springs)
+    } else {
+        // an axis of the plane stands across it
+        let springs = block.plane::<2>().map(|[from, to]| {
+            let apart = std::array::from_fn(|k| to[k] - from[k]);
+            RadialSpring { apart, axis: None, inside, radius, law: law.clone() }
         });
         Instances::<_, 4, 16>::in_room(room, springs)
     })

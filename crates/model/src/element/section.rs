@@ -98,12 +98,29 @@ pub enum SpringWay {
         /// Whether the nodes move in space.
         in_space: bool,
     },
+    /// The distance of its nodes, which closes a gap (`GAPCYL`, `GAPSPHER`).
+    Around {
+        /// Unit vector across which the distance is taken; `None`: the distance itself.
+        axis: Option<[f64; 3]>,
+        /// Whether the gap closes where the nodes are too far apart, as a bar in a tube; else where
+        /// they are too near.
+        inside: bool,
+        /// Distance at which it closes [L].
+        radius: f64,
+        /// Whether the nodes move in space.
+        in_space: bool,
+    },
 }
 
 impl SpringWay {
     /// Whether it acts between two nodes that move in space.
     pub fn is_in_space(&self) -> bool {
-        matches!(self, Self::Line { in_space: true } | Self::Direction { in_space: true, .. })
+        match self {
+            Self::Dof(_) => false,
+            Self::Line { in_space }
+            | Self::Direction { in_space, .. }
+            | Self::Around { in_space, .. } => *in_space,
+        }
     }
 }
 

@@ -37,4 +37,12 @@ pub mod types {
         kernel: kernels::gapuni,
         ..SPRING1
     };
+
+    /// Gap by the distance of two nodes across an axis.
+    pub static GAPCYL: ElementType =
+        ElementType { names: ["GAPCYL"; 2], kernel: kernels::round_gap, ..GAPUNI };
+
+    /// Gap by the distance of two nodes.
+    pub static GAPSPHER: ElementType =
+        ElementType { names: ["GAPSPHER"; 2], kernel: kernels::round_gap, ..GAPUNI };
 }

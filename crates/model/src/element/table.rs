@@ -21,7 +21,7 @@ pub fn element_type(name: &str) -> Option<&'static ElementType> {
 }
 
 /// Rows of lines and points.
-const LINES: [&ElementType; 13] = [
+const LINES: [&ElementType; 15] = [
     &types::B21,
     &types::B22,
     &types::B23,
@@ -35,6 +35,8 @@ const LINES: [&ElementType; 13] = [
     &types::SPRING2,
     &types::SPRINGA,
     &types::GAPUNI,
+    &types::GAPCYL,
+    &types::GAPSPHER,
 ];
 
 /// All rows.

@@ -188,6 +188,15 @@ fn springs(text: &mut String, block: &ElementBlock, section: &SpringSection) {
         SpringWay::Line { .. } | SpringWay::Direction { direction: None, .. } => {
             "along the line between two nodes".to_owned()
         }
+        SpringWay::Around { axis, inside, radius, .. } => {
+            let side = if inside { "within" } else { "beyond" };
+            let across = axis.map(|way| {
+                let [x, y, z] = way.map(number);
+                format!(", across ({x}, {y}, {z})")
+            });
+            let (far, across) = (number(radius), across.unwrap_or_default());
+            format!("{side} {far} of one another{across}")
+        }
         SpringWay::Direction { direction: Some(way), .. } => {
             let [x, y, z] = way.map(number);
             format!("between two nodes along ({x}, {y}, {z})")

@@ -2,7 +2,7 @@
 
 use super::contact::normal_law;
 use super::words::{extremes, named, number, range};
-use slideline_model::{Load, Model, NodeIndex, Prescribed, Step};
+use slideline_model::{Load, Model, NodeIndex, Prescribed, Pressed, Step};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
@@ -77,8 +77,16 @@ fn distributed(text: &mut String, model: &Model, step: &Step) {
         let Some((least, most)) = extremes(&values) else { continue };
         line!(
             text,
-            "  pressure on {} faces goes to {}{}",
+            "  {} {} {} to {}{}",
+            match row[0].on {
+                Pressed::Face(_) => "pressure on",
+                Pressed::Sections(_) => "force per length, which turns with its sections, on",
+            },
             row.len(),
+            match row[0].on {
+                Pressed::Face(_) => "faces goes",
+                Pressed::Sections(_) => "beam elements goes",
+            },
             range(least, most),
             amplitude(model, row[0].amplitude)
         );

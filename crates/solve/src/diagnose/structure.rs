@@ -7,7 +7,7 @@ use crate::restraint::{Restraint, RigidMotion};
 use crate::state::State;
 use slideline_diag::{Code, Diagnostic, Place, Suggestion};
 use slideline_linalg::SolveError;
-use slideline_model::{Dof, NodeIndex};
+use slideline_model::{Dof, Kinematics, NodeIndex};
 
 const TRANSLATIONS: [Dof; 3] = [Dof::U1, Dof::U2, Dof::U3];
 const ROTATIONS: [Dof; 3] = [Dof::UR1, Dof::UR2, Dof::UR3];
@@ -49,12 +49,74 @@ impl Case<'_> {
                 "support it with *BOUNDARY: node {label}, degree of freedom {dof}; or attach a \
                  weak *SPRING until contact supports it"
             ));
-        Some(match self.plan.step.procedure.origin {
+        Some(self.with_support(said, &motion))
+    }
+
+    /// Parts of a body that supports hold move without resistance before anything has happened: the
+    /// first tangent of a run is that of the unloaded structure, which no limit of strength and no
+    /// load has softened.
+    pub(super) fn mechanism(&self) -> Option<Diagnostic> {
+        let Some(SolveError::Singular { equation, .. }) = self.outcome.fault else { return None };
+        if self.committed.total_time > 0.0 || self.outcome.last.is_some() {
+            return None;
+        }
+        let motion = self.motion(equation)?;
+        let (label, dof) = (self.label(motion.node), motion.dof(self.plan));
+        let message = format!(
+            "supports hold the body of node {label}, but not all of its parts: node {label} can {} \
+             without any resistance {}",
+            self.way(&motion),
+            self.beyond(),
+        );
+        let help = format!(
+            "{}support it with *BOUNDARY: node {label}, degree of freedom {dof}",
+            self.remedies(motion.node)
+        );
+        let said = Diagnostic::error(Code("SL0503"), message);
+        let said = said.at(self.plan.model.nodes.get(motion.node).origin).help(help);
+        Some(self.with_support(said, &motion))
+    }
+
+    /// The diagnosis with the card that holds the node that moves.
+    fn with_support(&self, said: Diagnostic, motion: &Motion) -> Diagnostic {
+        let (label, dof) = (self.label(motion.node), motion.dof(self.plan));
+        match self.plan.step.procedure.origin {
             Some(origin) => {
                 said.card(Place::After(origin), format!("*BOUNDARY\n{label}, {dof}, {dof}\n"))
             }
             None => said,
-        })
+        }
+    }
+
+    /// What may stiffen the elements about a node, by what they lack; ends as a list goes on.
+    fn remedies(&self, node: NodeIndex) -> String {
+        let elements = self.plan.step.presence.elements(&self.plan.model.blocks);
+        let about = elements.filter(|(_, element)| element.nodes.contains(&node));
+        let mut said: Vec<String> = Vec::new();
+        for (block, _) in about {
+            let name = block.kind.name();
+            let words = match block.kind.kinematics {
+                // the wedge has two points on its axis, about which its ends turn freely
+                Kinematics::Solid { .. } => match name.strip_suffix('R').or(wedge(name)) {
+                    Some(full) => format!(
+                        "few elements {name} have motions without energy: take {full}, or more \
+                         elements over the thickness; or "
+                    ),
+                    None => continue,
+                },
+                Kinematics::Truss | Kinematics::Spring | Kinematics::Gap => format!(
+                    "{name} resists along its line alone: join its ends across it, or take beams; or "
+                ),
+                Kinematics::SpaceBeam => format!(
+                    "the ends of {name} turn freely unless something holds their rotations: "
+                ),
+                Kinematics::Beam { .. } | Kinematics::Other => continue,
+            };
+            if !said.contains(&words) {
+                said.push(words);
+            }
+        }
+        said.concat()
     }
 
     /// The motion of a singular tangent; `None`: supports hold the body.
@@ -197,6 +259,11 @@ impl Case<'_> {
         let text = format!("*BOUNDARY\n{label}, {number}, {number}, {:.6E}\n", 2.0 * moved);
         Some(Suggestion { place: Place::Instead(load.origin), text })
     }
+}
+
+/// What is as a wedge with two points of integration, without its free motion.
+fn wedge(name: &str) -> Option<&'static str> {
+    (name == "C3D6").then_some("C3D15")
 }
 
 impl Motion {

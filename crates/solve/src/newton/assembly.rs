@@ -160,7 +160,8 @@ impl Scratch {
         self.take_tangents(plan, committed);
         self.stiffen(plan);
         self.dashpots.stiffen(plan, &self.evaluation.rows, &mut self.values);
-        plan.stiffen_by_faces(&self.evaluation.rows, (&self.faces, &self.u), &mut self.values);
+        let at = (&self.faces[..], &self.u[..], &self.turns[..]);
+        plan.stiffen_by_faces(&self.evaluation.rows, at, &mut self.values);
         let at = (&self.u[..], &self.turns[..]);
         moments::stiffen(plan, &self.evaluation.rows, &self.load, at, &mut self.values);
         self.turn(plan);

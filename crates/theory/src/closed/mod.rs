@@ -4,6 +4,7 @@ pub mod bisshopp_drucker;
 pub mod capstan;
 pub mod comb;
 pub mod elliptic;
+pub mod follower;
 pub mod hertz;
 pub mod incline;
 pub mod ring;

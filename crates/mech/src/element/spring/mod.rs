@@ -1,5 +1,6 @@
 //! Springs: SPRING1 between a dof and the ground, SPRING2 between dofs of two nodes, SPRINGA
-//! between two nodes along their axis, GAPUNI between two nodes along a direction that stays.
+//! between two nodes along their axis, GAPUNI between two nodes along a direction that stays,
+//! GAPCYL and GAPSPHER by their distance.
 //!
 //! ```text
 //!   SPRING1   |/\/\/\o--> u      SPRING2   o/\/\/\o  u1 - u2      SPRINGA   1 o/\/\/\o 2
@@ -9,13 +10,17 @@
 //! of it, or that of a gap that closes.
 
 mod directed;
+mod ends;
 mod law;
+mod radial;
 
 pub use directed::DirectedSpring;
 pub use law::SpringLaw;
+pub use radial::RadialSpring;
 
 use super::kernel::{Element, Scale};
 use crate::differentiate::Real;
+use ends::{fill, length, push};
 
 /// SPRING1: a spring between one dof and the ground.
 #[derive(Debug, Clone, PartialEq)]
@@ -166,30 +171,3 @@ macro_rules! axial_spring {
 
 axial_spring!(2, 4, 16);
 axial_spring!(3, 6, 36);
-
-/// The forces of a pull along a unit vector on both nodes.
-fn push<const D: usize>(t: &[f64; D], pull: f64, force: &mut [f64]) {
-    for (k, t) in t.iter().enumerate() {
-        (force[k], force[D + k]) = (-pull * t, pull * t);
-    }
-}
-
-/// The tangent [[B, -B], [-B, B]] of a block of so many rows.
-fn fill(tangent: &mut [f64], dimension: usize, block: impl Fn(usize, usize) -> f64) {
-    let width = 2 * dimension;
-    for i in 0..width {
-        for j in 0..width {
-            let sign = if (i < dimension) == (j < dimension) { 1.0 } else { -1.0 };
-            tangent[width * i + j] = sign * block(i % dimension, j % dimension);
-        }
-    }
-}
-
-fn length<const D: usize>(a: &[f64; D]) -> f64 {
-    let scale = a.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-    if scale == 0.0 {
-        0.0
-    } else {
-        scale * a.iter().map(|x| (x / scale).powi(2)).sum::<f64>().sqrt()
-    }
-}
