@@ -16,9 +16,9 @@ use slideline_diag::{Code, Diagnostic};
 use slideline_mech::vector::{cross, dot};
 use slideline_model::{ElementBlock, Kinematics, Model, NodeIndex};
 
-/// What unit vectors along the edges of a corner span at least in a sound element [1]: three degrees
-/// in the plane.
-const FLAT: f64 = 0.05;
+/// What unit vectors along the edges of a corner span at least in a sound element [1]: one degree in
+/// the plane.
+const FLAT: f64 = 0.02;
 
 /// A corner and what the edges there span.
 struct Corner {

@@ -92,6 +92,7 @@ mod tests {
             spring(SpringWay::Dof(Dof::U2)),
             spring(SpringWay::Line { in_space: false }),
             spring(SpringWay::Direction { direction: Some([0.0, 1.0, 0.0]), in_space: false }),
+            spring(SpringWay::Around { axis: None, inside: false, radius: 0.5, in_space: false }),
             Section::Solid(SolidSection { thickness: 1.0, material, orientation: None }),
         ];
         for row in TYPES {

@@ -16,6 +16,7 @@ mod couple;
 mod cover;
 mod ends;
 mod face_places;
+mod over;
 mod places;
 mod pull;
 mod shapes;

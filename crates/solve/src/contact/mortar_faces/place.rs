@@ -184,8 +184,7 @@ impl FaceRoom {
         near.sort_unstable_by_key(|own| own.face);
     }
 
-    /// Gives the functions of corners that have next to nothing of a face left to the corner that has
-    /// most of it.
+    /// Gives the functions of corners that have next to nothing of a face left to a corner beside them.
     fn share_out(&mut self, mortar: &FaceMortar) {
         self.areas.clear();
         self.areas.resize(mortar.of_point.len(), 0.0);
@@ -202,9 +201,11 @@ impl FaceRoom {
             let count = corners(own.count);
             let area = |corner: usize| self.areas[own.points[corner]];
             let most = (0..count).max_by(|&a, &b| area(a).total_cmp(&area(b))).unwrap_or(0);
+            let is_small = |corner: usize| area(corner) < LEAST_AREA * area(most);
             for corner in 0..count {
-                let is_small = area(corner) < LEAST_AREA * area(most);
-                state.given[corner] = Some(if is_small { most } else { corner });
+                // by how the face is made: a choice by areas would change to and fro between equals
+                let others = [0, 1, count - 1, 2].map(|by| (corner + by) % count);
+                state.given[corner] = others.into_iter().find(|&other| !is_small(other));
             }
         }
     }

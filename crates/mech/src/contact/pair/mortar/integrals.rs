@@ -288,7 +288,7 @@ pub(super) fn projection<R: Real>(
 
 /// The parameter of a bound that goes over into an end of its face, and its derivative by that of the
 /// projection: without it the force along the face would leap where an end of the master passes that
-/// of the slave. docs/theory.md eq. (5.24a)
+/// of the slave. docs/theory.md section 5.10, where both surfaces end
 pub(super) fn merged<R: Real>(t: R, end: Option<usize>) -> [R; 2] {
     let Some(end) = end else { return [t, R::from_f64(1.0)] };
     let (one, two, three) = (R::from_f64(1.0), R::from_f64(2.0), R::from_f64(3.0));

@@ -10,8 +10,8 @@
 
 use super::clip::{Corner, MOST, Overlap};
 use super::couple::Couple;
-use super::ends::identity;
 use super::face_places::{FacePlaces, Plane};
+use super::over::identity;
 use super::places::{Place, add_scaled, cross, dot, flat_add, flat_cross, flat_sub, scale, sub};
 use super::shapes::{MOST_CORNERS, MOST_NODES, Shapes, corners, middle, pieces, place_of, shapes};
 use crate::differentiate::Real;
