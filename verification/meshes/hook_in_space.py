@@ -209,8 +209,8 @@ def deck(arm, head, along, increment):
 def main():
     reading = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     reading.add_argument("--arm", type=float, default=1.5, help="size of elements of the arm [mm]")
-    reading.add_argument("--head", type=float, default=0.8, help="size of elements of the head [mm]")
-    reading.add_argument("--along", type=int, default=5, help="faces of the slot over half of the width")
+    reading.add_argument("--head", type=float, default=0.9, help="size of elements of the head [mm]")
+    reading.add_argument("--along", type=int, default=8, help="faces of the slot over half of the width")
     reading.add_argument("--increment", type=float, default=0.02, help="part of a step")
     given = reading.parse_args()
     print(deck(given.arm, given.head, given.along, given.increment), end="")

@@ -15,6 +15,8 @@ const IMBALANCE: f64 = 1e-9;
 /// Part of the largest energy that may be missing; the trapezoidal rule over the deck's own
 /// increments leaves 0.02 to 0.9 %.
 const ENERGY: f64 = 0.01;
+/// The same of the hook in space, which has half as many increments as the one in the plane: 1.6 %.
+const ENERGY_IN_SPACE: f64 = 0.02;
 
 /// What a run leaves.
 #[derive(Default)]
@@ -83,7 +85,7 @@ fn run_deck((name, deck): (&str, &str), options: &SolveOptions) -> Watch {
 #[test]
 fn parts_run_as_they_are() {
     let decks = decks();
-    assert!(decks.len() >= 7, "{decks:?}");
+    assert!(decks.len() >= 8, "{decks:?}");
     for path in decks {
         let watch = run(&path);
         let name = path.display();
@@ -93,7 +95,11 @@ fn parts_run_as_they_are() {
         assert!(watch.closed > 0, "{name}: nothing touches");
         assert!(watch.imbalance <= IMBALANCE, "{name}: {:e}", watch.imbalance);
         let missing = watch.missing_energy / watch.largest_energy;
-        assert!(missing <= ENERGY, "{name}: {missing}");
+        let allowed = match path.ends_with("hook_in_space.inp") {
+            true => ENERGY_IN_SPACE,
+            false => ENERGY,
+        };
+        assert!(missing <= allowed, "{name}: {missing}");
     }
 }
 

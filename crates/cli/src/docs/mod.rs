@@ -33,6 +33,7 @@ const WRITTEN: &[(&str, &str)] = &[
     ("snap-fit", include_str!("../../../../docs/guide/snap-fit.md")),
     ("field/index", include_str!("../../../../docs/field/index.md")),
     ("field/hook", include_str!("../../../../docs/field/hook.md")),
+    ("field/hook_in_space", include_str!("../../../../docs/field/hook_in_space.md")),
     ("field/annular", include_str!("../../../../docs/field/annular.md")),
     ("field/rail_clip", include_str!("../../../../docs/field/rail_clip.md")),
     ("field/cam_latch", include_str!("../../../../docs/field/cam_latch.md")),
@@ -65,6 +66,10 @@ const IMAGES: &[(&str, &[u8])] = &[
     ("images/workbench.png", include_bytes!("../../../../docs/images/workbench.png")),
     ("images/friction-dropped.png", include_bytes!("../../../../docs/images/friction-dropped.png")),
     ("images/field/hook.png", include_bytes!("../../../../docs/images/field/hook.png")),
+    (
+        "images/field/hook_in_space.png",
+        include_bytes!("../../../../docs/images/field/hook_in_space.png"),
+    ),
     ("images/field/annular.png", include_bytes!("../../../../docs/images/field/annular.png")),
     ("images/field/rail_clip.png", include_bytes!("../../../../docs/images/field/rail_clip.png")),
     ("images/field/cam_latch.png", include_bytes!("../../../../docs/images/field/cam_latch.png")),
