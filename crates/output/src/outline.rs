@@ -250,6 +250,15 @@ impl Drawing {
         values.resize(3 * self.labels.len(), 0.0);
         values
     }
+
+    /// What CalculiX counts as forces at nodes along three dofs, node by node.
+    pub fn carried(&self, frame: &Frame<'_>, dofs: [Dof; 3]) -> Vec<f64> {
+        let nodes = 0..frame.model.nodes.len();
+        let own = nodes.flat_map(|node| dofs.map(|dof| frame.nodal.carried(node, dof)));
+        let mut values = self.with_copies(own.collect());
+        values.resize(3 * self.labels.len(), 0.0);
+        values
+    }
 }
 
 /// For nodes of solids of several regions: the first one keeps the node, others have

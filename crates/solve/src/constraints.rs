@@ -18,6 +18,7 @@
 
 mod deserted;
 mod following;
+mod joined;
 mod linear;
 mod motion;
 mod numbering;

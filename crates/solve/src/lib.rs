@@ -27,6 +27,7 @@ mod history;
 mod idle;
 mod increments;
 mod iteration_history;
+mod joined_forces;
 mod linear_systems;
 mod linearised;
 mod loads;

@@ -34,12 +34,11 @@ impl Results<'_> {
     /// DISP and FORC of every node, and NDTEMP where the deck speaks of temperatures.
     pub fn push_motion(&mut self, drawing: &Drawing) {
         let [_, motion] = drawing.moved(self.frame);
-        let mut forces = drawing.values(self.frame, NodeField::Reaction, SPACE);
-        if self.frame.model.dialect == Dialect::Calculix {
+        let forces = match self.frame.model.dialect {
             // there RF is what supports and loads do together
-            let loads = drawing.values(self.frame, NodeField::Load, SPACE);
-            forces.iter_mut().zip(loads).for_each(|(force, load)| *force += load);
-        }
+            Dialect::Calculix => drawing.carried(self.frame, SPACE),
+            Dialect::Abaqus => drawing.values(self.frame, NodeField::Reaction, SPACE),
+        };
         let rows = |values: &[f64]| {
             drawing.labels.iter().copied().zip(values.as_chunks().0.iter().copied()).collect()
         };

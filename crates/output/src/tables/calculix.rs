@@ -7,7 +7,7 @@
 //!          1   1  2.029475E+01  7.385710E-04 ...
 //! ```
 //!
-//! RF is the sum of reaction and load there, and energies are those of all work, what plastic
+//! RF is the sum of reaction and load there, at joined nodes what their elements carry, and energies are those of all work, what plastic
 //! strain took included; measured with ccx 2.20 (docs/keywords/NODE-PRINT.md, EL-PRINT.md).
 
 use super::table::named;
@@ -72,9 +72,9 @@ pub(super) fn push_nodes(text: &mut String, frame: &Frame<'_>, print: &NodePrint
                 for (&node, row) in print.nodes.iter().zip(rows.clone()) {
                     // A String takes any text.
                     let _ = write!(text, "{:>10}", frame.model.nodes.label(node));
-                    let named = dofs.map(|dof| {
-                        let [moved, reaction, load] = frame.nodal.named(node, dof);
-                        if forces { reaction + load } else { moved }
+                    let named = dofs.map(|dof| match forces {
+                        true => frame.nodal.carried_as_named(node, dof),
+                        false => frame.nodal.named(node, dof)[0],
                     });
                     push_numbers(text, if own_axes { named } else { row });
                 }
@@ -98,10 +98,8 @@ pub(super) fn push_nodes(text: &mut String, frame: &Frame<'_>, print: &NodePrint
 /// Motions, or reactions with loads, of all nodes along three dofs.
 fn nodal(frame: &Frame<'_>, forces: bool, dofs: [Dof; 3]) -> Vec<[f64; 3]> {
     if forces {
-        let loads = NodeField::Load.table(frame, &dofs);
-        let reactions = NodeField::Reaction.table(frame, &dofs);
-        let sums: Vec<f64> = reactions.iter().zip(loads).map(|(r, load)| r + load).collect();
-        return sums.as_chunks::<3>().0.to_vec();
+        let carried = |node| dofs.map(|dof| frame.nodal.carried(node, dof));
+        return (0..frame.model.nodes.len()).map(carried).collect();
     }
     NodeField::Motion.table(frame, &dofs).as_chunks::<3>().0.to_vec()
 }

@@ -23,6 +23,8 @@ pub(super) struct RigidLink {
     turned: Option<usize>,
     /// How the body moves.
     body: Body,
+    /// Whether it moves linearly: the job has no NLGEOM.
+    small: bool,
 }
 
 /// The dofs of a body.
@@ -78,6 +80,7 @@ pub(super) fn resolve(model: &Model, dofs: &DofMap) -> (Vec<RigidLink>, Vec<Node
         node
     };
     let in_space = model.is_in_space();
+    let small = model.steps.iter().all(|step| !step.nlgeom);
     let mut carrier: Vec<NodeIndex> = (0..model.nodes.len()).collect();
     let mut links = Vec::with_capacity(model.rigid_links.len());
     for link in &model.rigid_links {
@@ -95,7 +98,7 @@ pub(super) fn resolve(model: &Model, dofs: &DofMap) -> (Vec<RigidLink>, Vec<Node
         let own = |dof: Dof| dofs.named(link.dependent, dof).filter(|_| link.follows[dof as usize]);
         let nodes = [master, link.dependent];
         let turned = dofs.place_of_turned(link.dependent);
-        links.push(RigidLink { nodes, dependent: Dof::ALL.map(own), turned, body });
+        links.push(RigidLink { nodes, dependent: Dof::ALL.map(own), turned, body, small });
     }
     (links, carrier)
 }
@@ -136,6 +139,17 @@ impl RigidLink {
     pub fn dependent_dofs(&self) -> impl Iterator<Item = (usize, usize)> + use<> {
         let own = self.dependent;
         (0..6).filter_map(move |component| Some((component, own[component]?)))
+    }
+
+    /// The angle by which the arm of a body in the plane has turned [1]; none without NLGEOM,
+    /// where displacements are those of small rotations, docs/theory.md eq. (4.2).
+    fn angle(&self, pose: [usize; 3], u: &[f64]) -> f64 {
+        if self.small { 0.0 } else { u[pose[2]] }
+    }
+
+    /// The same of a body in space, as [`Turning::at`].
+    fn turned_by(&self, turn: Turning, at: (&[f64], &[Turn]), arm: Arm) -> ([f64; 3], Arm, Arm) {
+        if self.small { ([0.0; 3], arm, [0.0; 3]) } else { turn.at(at, arm) }
     }
 
     /// The place of the dependent node among those with axes of their own.
@@ -189,7 +203,7 @@ impl RigidLink {
         into: &mut Vec<f64>,
     ) {
         if let (Body::Plane { pose }, None) = (self.body, axes) {
-            let [x, y] = turned.become_by(at.0[pose[2]]).arm(arm);
+            let [x, y] = turned.become_by(self.angle(pose, at.0)).arm(arm);
             for (component, _) in self.dependent_dofs() {
                 match component {
                     0 => into.extend([1.0, -y]),
@@ -218,12 +232,12 @@ impl RigidLink {
         match self.body {
             Body::Plane { .. } if component >= 3 => [axis[2], 0.0, 0.0, 0.0, 0.0, 0.0],
             Body::Plane { pose } => {
-                let [x, y] = PlaneTurn::by(u[pose[2]]).arm(arm);
+                let [x, y] = PlaneTurn::by(self.angle(pose, u)).arm(arm);
                 [axis[0], axis[1], axis[1] * x - axis[0] * y, 0.0, 0.0, 0.0]
             }
             Body::Space { .. } if component >= 3 => [axis[0], axis[1], axis[2], 0.0, 0.0, 0.0],
             Body::Space { turn, .. } => {
-                let (phi, arm, _) = turn.at(at, arm);
+                let (phi, arm, _) = self.turned_by(turn, at, arm);
                 let slopes = rotation::slopes(phi, arm);
                 let by = |k: usize| (0..3).map(|j| axis[j] * slopes[j][k]).sum();
                 [axis[0], axis[1], axis[2], by(0), by(1), by(2)]
@@ -237,11 +251,11 @@ impl RigidLink {
         match self.body {
             _ if component >= 3 => [1.0, 0.0, 0.0, 0.0, 0.0, 0.0],
             Body::Plane { pose } => {
-                let [x, y] = PlaneTurn::by(u[pose[2]]).arm(arm);
+                let [x, y] = PlaneTurn::by(self.angle(pose, u)).arm(arm);
                 [1.0, if component == 0 { -y } else { x }, 0.0, 0.0, 0.0, 0.0]
             }
             Body::Space { turn, .. } => {
-                let (phi, arm, _) = turn.at(at, arm);
+                let (phi, arm, _) = self.turned_by(turn, at, arm);
                 let [a, b, c] = rotation::slopes(phi, arm)[component];
                 [1.0, a, b, c, 0.0, 0.0]
             }
@@ -256,6 +270,15 @@ impl RigidLink {
         u: &mut [f64],
     ) {
         let mut values = match self.body {
+            Body::Plane { pose } if self.small => {
+                let [x, y, angle] = pose.map(|dof| u[dof]);
+                [x - angle * arm[1], y + angle * arm[0], 0.0, 0.0, 0.0, angle]
+            }
+            Body::Space { shift, turn } if self.small => {
+                let ([a, b, c], [d, e, f]) = (shift.map(|dof| u[dof]), turn.dofs.map(|dof| u[dof]));
+                let [x, y, z] = arm;
+                [a + (e * z - f * y), b + (f * x - d * z), c + (d * y - e * x), d, e, f]
+            }
             Body::Plane { pose } => {
                 let [x, y, angle] = pose.map(|dof| u[dof]);
                 let [x, y] = turned.become_by(angle).displacement([x, y], arm);
@@ -293,7 +316,7 @@ impl RigidLink {
     ) {
         let [own @ .., _, _, _] = self.dependent;
         let force = own.map(|dof| dof.map_or(0.0, |dof| f[dof]));
-        if force == [0.0; 3] {
+        if self.small || force == [0.0; 3] {
             return;
         }
         let force = axes.map_or(force, |axes| axes::vector(axes, force));

@@ -74,6 +74,7 @@ pub struct Nodal<'a> {
     pub(crate) displacement: &'a [f64],
     pub(crate) reaction: &'a [f64],
     pub(crate) load: &'a [f64],
+    pub(crate) joined: &'a [f64],
     pub(crate) temperatures: &'a [Temperature],
 }
 
@@ -122,6 +123,24 @@ impl Nodal<'_> {
     /// Applied load along an axis of the model [F or F L].
     pub fn load(&self, node: NodeIndex, dof: Dof) -> f64 {
         self.force(self.load, node, dof)
+    }
+
+    /// Reaction and load together along an axis of the model [F or F L], as CalculiX counts forces
+    /// at nodes: where equations or rigid bodies join the node to others what its own elements and
+    /// contact carry.
+    pub fn carried(&self, node: NodeIndex, dof: Dof) -> f64 {
+        match self.joined.is_empty() {
+            true => self.reaction(node, dof) + self.load(node, dof),
+            false => self.force(self.joined, node, dof),
+        }
+    }
+
+    /// The same along the axis in which the deck names the dof.
+    pub fn carried_as_named(&self, node: NodeIndex, dof: Dof) -> f64 {
+        match self.joined.is_empty() {
+            true => self.named(node, dof)[1..].iter().sum(),
+            false => self.named_force(self.joined, node, dof),
+        }
     }
 
     /// Temperature [theta].

@@ -6,6 +6,7 @@ use crate::balance::pair_rows;
 use crate::commit::commit;
 use crate::diagnose;
 use crate::increments::Decision;
+use crate::joined_forces::joined_forces;
 use crate::newton::{Outcome, Scratch};
 use crate::observe::Event;
 use crate::observe::results::{FrictionCall, Status};
@@ -43,6 +44,7 @@ impl Analysis<'_> {
         let Rows { contact, closed, pairs, sums, .. } = &mut *self.rows;
         pair_rows(plan, self.committed, work, (contact, closed), (pairs, sums));
         section_rows(plan, self.committed, work, &mut self.rows.sections);
+        joined_forces(plan, self.committed, work, &mut self.rows.joined);
         let jumped = self.balance_books(plan, target, work);
         let frame = frame(plan, self.committed, &numbers, self.rows);
         // A wish to stop does not keep back what belongs to the increment.

@@ -24,6 +24,8 @@ pub(super) struct Rows {
     pub pairs: Vec<PairRow>,
     /// A row a request for a surface.
     pub sections: Vec<SectionRow>,
+    /// What the dofs of joined nodes carry, a dof each; empty where nobody asks.
+    pub joined: Vec<f64>,
     /// Scratch of the rows of pairs.
     pub sums: Vec<Sum>,
     /// A row a beam.
@@ -104,6 +106,7 @@ pub(super) fn frame<'a>(
             displacement: &state.displacement,
             reaction: &state.reaction,
             load: &state.load,
+            joined: &rows.joined,
             temperatures: match state.temperatures.is_empty() {
                 true => &plan.model.initial_temperatures,
                 false => &state.temperatures,

@@ -14,7 +14,7 @@ pub struct ElementNumbering {
     /// Number of elements.
     pub(super) count: usize,
     /// Dofs of the elements' own variables, element by element.
-    pub(super) own: Vec<usize>,
+    pub(crate) own: Vec<usize>,
     /// Nodes of the elements, element by element.
     pub(super) nodes: Vec<NodeIndex>,
     /// Number of tangent entries of all elements.

@@ -1,0 +1,45 @@
+//! What the elements and contact carry at nodes that equations join to others.
+//!
+//! ```text
+//!   support o-----o a ==equation== b o-----o    the support reacts to all of it;
+//!                 f_a               f_b         at a and b stands what their own elements carry
+//! ```
+//! So CalculiX counts forces at nodes (docs/keywords/NODE-PRINT.md).
+
+use crate::newton::Scratch;
+use crate::problem::Problem;
+use crate::state::State;
+use slideline_mech::contact::tangential::Tangential;
+use slideline_model::Dialect;
+
+/// Reaction and load of every dof of a state that was just committed, but at the dofs of elements
+/// that equations and rigid bodies join to others the force of their own elements and contact
+/// [F or F L]; nothing where the dialect does not ask for it or nothing is joined.
+pub fn joined_forces(plan: &Problem<'_>, state: &State, work: &Scratch, into: &mut Vec<f64>) {
+    into.clear();
+    let joined = plan.constraints.joined();
+    if plan.model.dialect != Dialect::Calculix || joined.is_empty() {
+        return;
+    }
+    let mut own = vec![0.0; state.load.len()];
+    let evaluation = &work.evaluation;
+    plan.structure.gather_force(&evaluation.contributions, &mut own);
+    for (place, point) in evaluation.points.iter().enumerate().filter(|(_, own)| own.closed) {
+        let traction: Tangential = point.area * point.traction;
+        evaluation.kinematics.at(place).push(point.area * point.pressure, traction, &mut own);
+    }
+    into.extend(state.reaction.iter().zip(&state.load).map(|(reaction, load)| reaction + load));
+    let mut has_element = vec![false; own.len()];
+    plan.structure.numbering.own.iter().for_each(|&dof| has_element[dof] = true);
+    for dof in joined {
+        let (node, _) = plan.dofs.name(dof);
+        if plan.dofs.place_of_turned(node).is_none() {
+            if has_element[dof] {
+                into[dof] = own[dof];
+            }
+        } else if plan.dofs.of_node(node).any(|dof| has_element[dof]) {
+            plan.dofs.named_of_node(node).for_each(|dof| into[dof] = 0.0);
+            plan.dofs.of_node(node).for_each(|dof| into[dof] = own[dof]);
+        }
+    }
+}
