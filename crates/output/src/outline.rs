@@ -244,18 +244,9 @@ impl Drawing {
         [points, displacement]
     }
 
-    /// Values of a field along three dofs at all points; zero on rigid surfaces.
-    pub fn values(&self, frame: &Frame<'_>, field: NodeField, dofs: [Dof; 3]) -> Vec<f64> {
-        let mut values = self.with_copies(field.table(frame, &dofs));
-        values.resize(3 * self.labels.len(), 0.0);
-        values
-    }
-
-    /// What CalculiX counts as forces at nodes along three dofs, node by node.
-    pub fn carried(&self, frame: &Frame<'_>, dofs: [Dof; 3]) -> Vec<f64> {
-        let nodes = 0..frame.model.nodes.len();
-        let own = nodes.flat_map(|node| dofs.map(|dof| frame.nodal.carried(node, dof)));
-        let mut values = self.with_copies(own.collect());
+    /// Three values of every node at all points; zero on rigid surfaces.
+    pub fn values(&self, of_nodes: Vec<f64>) -> Vec<f64> {
+        let mut values = self.with_copies(of_nodes);
         values.resize(3 * self.labels.len(), 0.0);
         values
     }

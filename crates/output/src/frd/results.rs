@@ -36,9 +36,13 @@ impl Results<'_> {
         let [_, motion] = drawing.moved(self.frame);
         let forces = match self.frame.model.dialect {
             // there RF is what supports and loads do together
-            Dialect::Calculix => drawing.carried(self.frame, SPACE),
-            Dialect::Abaqus => drawing.values(self.frame, NodeField::Reaction, SPACE),
+            Dialect::Calculix => {
+                let own = |node| SPACE.map(|dof| self.frame.nodal.carried(node, dof));
+                (0..self.frame.model.nodes.len()).flat_map(own).collect()
+            }
+            Dialect::Abaqus => NodeField::Reaction.table(self.frame, &SPACE),
         };
+        let forces = drawing.values(forces);
         let rows = |values: &[f64]| {
             drawing.labels.iter().copied().zip(values.as_chunks().0.iter().copied()).collect()
         };

@@ -84,7 +84,7 @@ impl Grid {
         text.push(b"<PointData>\n");
         text.push_floats("displacement", 3, &displacement);
         let mut push = |name: &str, frame: &Frame<'_>, field: NodeField, dofs: [Dof; 3]| {
-            text.push_floats(name, 3, &self.drawing.values(frame, field, dofs));
+            text.push_floats(name, 3, &self.drawing.values(field.table(frame, &dofs)));
         };
         push("rotation", frame, NodeField::Motion, TURNS);
         push("reaction_force", frame, NodeField::Reaction, SPACE);
