@@ -32,8 +32,11 @@ const POINT: f64 = 2_500.0;
 /// Bytes of a factor entry, work space of the factorisation included, of a linear system
 /// that does not tell.
 const FACTOR: f64 = 16.0;
-/// Part of the memory that linear systems of other contact may keep [1].
+/// Part of the memory that linear systems may take with those of other contact [1].
 const KEPT: f64 = 0.5;
+/// How many times the memory of the one at hand they may take together [1]: beside it the one that
+/// a cutback comes back to. Large systems of other contact are hardly ever met again within a run.
+const TOGETHER: f64 = 2.0;
 
 /// Why a model is too large, if it is.
 pub fn objection(model: &Model) -> Option<Diagnostic> {
@@ -86,7 +89,7 @@ pub fn to_drop(kept: impl Iterator<Item = f64> + Clone, needed: f64) -> usize {
 /// The same where so much memory can be had beside those that are kept.
 fn surplus(kept: impl Iterator<Item = f64> + Clone, needed: f64, there: f64) -> usize {
     let all: f64 = kept.clone().sum();
-    let most = KEPT * (there + all);
+    let most = (KEPT * (there + all)).min(TOGETHER * needed.max(SURE));
     let left = |so_far: &mut f64, own: f64| {
         let now = *so_far;
         *so_far -= own;
@@ -206,7 +209,8 @@ mod tests {
     }
 
     /// Requirement: the oldest systems go until half of the memory holds the others and the
-    /// new one; all go before that is refused, none where there is room.
+    /// new one; all go before that is refused, none of small ones; of large ones what is as large as
+    /// the new one stays, however much memory there is.
     #[test]
     fn the_oldest_systems_are_dropped() {
         let kept = [3.0, 1.0, 2.0].into_iter();
@@ -218,6 +222,7 @@ mod tests {
         assert_eq!(to_drop(kept, 1.0), 0);
         let huge = 1024.0 * 1024.0 * GIB;
         assert_eq!(to_drop([1.0, huge, huge].into_iter(), huge), 3);
+        assert_eq!(surplus([SURE; 4].into_iter(), SURE, huge), 3);
     }
 
     /// Requirement: limits are read as Linux writes them; what is unlimited or not there is
