@@ -12,6 +12,7 @@
 
 mod apart;
 mod bodies;
+mod coarse;
 mod distorted;
 mod finding;
 mod idle_loads;
@@ -50,6 +51,7 @@ pub fn advise(model: &Model) -> Vec<Finding> {
         overclosure::judge(&start, &mut findings);
         sides::judge(&start, &mut findings);
         quadratic::judge(&start, &mut findings);
+        coarse::judge(&start, &mut findings);
         distorted::judge(&start, &mut findings);
         unmerged::judge(&start, &mut findings);
         idle_loads::judge(&start, &mut findings);
@@ -61,12 +63,13 @@ pub fn advise(model: &Model) -> Vec<Finding> {
         return findings;
     }
     rehearsal::rehearse(&mut start);
-    let parts: [fn(&start::Start<'_>, &mut Vec<Finding>); 15] = [
+    let parts: [fn(&start::Start<'_>, &mut Vec<Finding>); 16] = [
         overclosure::judge,
         roles::judge,
         overconstraint::judge,
         stroke::judge,
         sides::judge,
+        coarse::judge,
         mesh::judge,
         distorted::judge,
         unmerged::judge,

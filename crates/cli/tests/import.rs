@@ -204,3 +204,47 @@ fn no_damage_is_a_fault_of_ours() {
         }
     }
 }
+
+/// Decks as PrePoMax, FreeCAD, meshio and Netgen write them: sets of sets, surfaces of element faces,
+/// types without a counterpart here.
+#[test]
+fn meshes_of_other_programs_become_decks() {
+    let folder = folder("others");
+    let told: [(&str, &str, &[&str]); 4] = [
+        (
+            "prepomax.inp",
+            "NODE_SET-1",
+            &[
+                "*ELEMENT, TYPE=C3D4, ELSET=SOLID_PART-1\n1, 1, 2, 3, 4\n2, 2, 3, 4, 5\n",
+                "*NSET, NSET=NODE_SET-1\n1, 3, 4\n",
+                "*NSET, NSET=INTERNAL_SELECTION-1\n1, 3, 4, 5\n",
+                "*ELSET, ELSET=ALL_PARTS\n1, 2\n",
+                "*SURFACE, NAME=SURFACE-1, TYPE=ELEMENT\n_SURFACE-1_S1, S1\n_SURFACE-1_S2, S2\n",
+                "*ELSET, ELSET=_SURFACE-1_S2\n2\n",
+            ],
+        ),
+        (
+            "freecad.inp",
+            "FIXED",
+            &["ELSET=EVOLUMES\n1, 1, 2, 3, 4\n", "*ELSET, ELSET=EALL\n1, 2\n"],
+        ),
+        ("meshio.inp", "ROOT", &["*ELEMENT, TYPE=C3D8, ELSET=BODY\n1, 1, 2, 5, 4, 7, 8, 11, 10\n"]),
+        (
+            "netgen.inp",
+            "FIX1",
+            &["ELSET=PART1\n1, 1, 2, 3, 4\n", "*SURFACE, NAME=SURF_1, TYPE=ELEMENT\n"],
+        ),
+    ];
+    for (mesh, held, parts) in told {
+        let deck = imported(&folder, &format!("../others/{mesh}"), &["--fix", held]);
+        for part in parts {
+            assert!(deck.contains(part), "{mesh}: {part} is not in\n{deck}");
+        }
+        let filled = deck
+            .replace("** FILL IN: Young's modulus, Poisson's ratio", "1000.0, 0.3")
+            .replace("** FILL IN: what is held", "5, 1, 3, 0.001\n** FILL IN: what is held");
+        std::fs::write(folder.join("part.inp"), filled).unwrap();
+        let (code, said) = slideline(&folder, &["check", "part.inp"]);
+        assert_eq!(code, Some(0), "{mesh}: {said}\n{deck}");
+    }
+}

@@ -200,6 +200,7 @@ catalogue! {
     "SL0425" "a slave deeper in its master than its part is thick"
     "SL0426" "a badly distorted solid"
     "SL0427" "a load that acts on nothing"
+    "SL0428" "slave nodes farther apart than those of the master"
     "SL0501" "no convergence, cause unknown"
     "SL0502" "the limit of increments was reached"
     "SL0503" "a motion without resistance"

@@ -131,13 +131,31 @@ impl Writing<'_> {
 
     fn groups(&mut self) {
         let faces = self.faces();
+        let parts = self.parts.parts.iter();
+        let written: Vec<(&str, BTreeSet<u64>)> = parts
+            .map(|own| (own.set.as_str(), own.elements.iter().map(|(label, _)| *label).collect()))
+            .collect();
         for (place, group) in self.mesh.groups.iter().enumerate() {
             let name = clean(&group.name);
             let has_part = self.parts.parts.iter().any(|part| part.set == name);
+            let labels = || group.cells.iter().map(|&cell| self.mesh.cells[cell].label);
+            let stands = |own: &u64| written.iter().any(|(_, labels)| labels.contains(own));
             if self.is_of_solids(group) && !has_part {
-                let labels: Vec<u64> =
-                    group.cells.iter().map(|&cell| self.mesh.cells[cell].label).collect();
+                let labels: Vec<u64> = labels().filter(stands).collect();
                 push_set(&mut self.text, &format!("*ELSET, ELSET={name}"), &labels);
+            }
+            if has_part {
+                // an element belongs to one part, as its section does
+                let own = |label: &u64| {
+                    written.iter().any(|(set, all)| *set == name && all.contains(label))
+                };
+                let others = labels().filter(|label| stands(label) && !own(label)).count();
+                if others > 0 {
+                    line!(
+                        self.text,
+                        "** {others} elements of {name} stand in sets before it, where they have their section."
+                    );
+                }
             }
             if self.is_node_set(place, group) {
                 let nodes = self.mesh.nodes_of(group);

@@ -4,8 +4,8 @@ use slideline_diag::{Code, Diagnostic, Span};
 
 /// SL0831: the text is no mesh, or is damaged.
 pub(crate) fn unreadable(message: impl Into<String>, at: Option<Span>) -> Box<Diagnostic> {
-    let help =
-        "Write the mesh with gmsh again, as ASCII: `gmsh -3 part.geo -format msh41 -o part.msh`.";
+    let help = "Write the mesh again as text, with gmsh for instance: \
+                `gmsh -3 part.geo -format msh41 -o part.msh`.";
     Box::new(Diagnostic::error(Code("SL0831"), message).at(at).help(help))
 }
 

@@ -1,12 +1,13 @@
-//! The deck that gmsh writes: nodes, elements, sets. gmsh calls all lines trusses and all areas
-//! plane stress; what they are is said by the wishes.
+//! Nodes, elements, sets and surfaces of a deck, as gmsh, FreeCAD, PrePoMax, Netgen and meshio write
+//! them. A type names no more than a cell: gmsh calls all lines trusses and all areas plane stress,
+//! meshio bricks C3D8RH; what they are is said by the wishes.
 
 use crate::corners::is_known;
 use crate::fault::{no_element, unreadable};
 use crate::mesh::{Cell, Group, Mesh};
+use crate::shapes::{faces, shape};
 use slideline_deck::{Card, DataLine, MAX_VALUES, NoFiles, parse};
 use slideline_diag::{Diagnostic, Severity, Sources, Span};
-use slideline_model::element_type;
 use std::collections::HashMap;
 
 type Fallible<T> = Result<T, Box<Diagnostic>>;
@@ -23,6 +24,11 @@ impl Sets {
         });
         &mut self.0[place]
     }
+
+    /// The set of a name; capitals do not matter in a deck.
+    fn find(&self, name: &str) -> Option<&Group> {
+        self.0.iter().find(|own| own.name.eq_ignore_ascii_case(name))
+    }
 }
 
 /// Reads a mesh.
@@ -34,19 +40,28 @@ pub(crate) fn read(sources: &mut Sources, name: &str, bytes: &[u8]) -> Fallible<
     let mut mesh = Mesh::default();
     let mut places = HashMap::new();
     let (mut blocks, mut sets) = (Sets::default(), Sets::default());
+    // nodes that their own card gives a name to, mostly all: named only by other sets
+    let (mut lists, mut surfaces) = (Sets::default(), Vec::new());
     for card in &parsed.deck.cards {
         match card.keyword.name.as_str() {
-            "NODE" => nodes(card, &mut mesh)?,
+            "NODE" => nodes(card, &mut mesh, &mut lists)?,
             "ELEMENT" => elements(card, &mut mesh, &mut places, &mut blocks)?,
             "ELSET" => {
-                let own = members(card)?.into_iter().filter_map(|label| places.get(&label));
-                let own: Vec<usize> = own.copied().collect();
+                let own = members(card, |name| {
+                    let set = sets.find(name).or_else(|| blocks.find(name))?;
+                    Some(set.cells.iter().map(|&cell| mesh.cells[cell].label).collect())
+                })?;
+                let own: Vec<usize> = own.iter().filter_map(|l| places.get(l)).copied().collect();
                 sets.named(&title(card, "ELSET")?).cells.extend(own);
             }
             "NSET" => {
-                let own = members(card)?;
+                let own = members(card, |name| {
+                    let set = sets.find(name).or_else(|| lists.find(name));
+                    set.map(|set| mesh.nodes_of(set))
+                })?;
                 sets.named(&title(card, "NSET")?).nodes.extend(own);
             }
+            "SURFACE" => surfaces.push(card),
             _ => {} // a heading; a deck with more than a mesh is a deck already
         }
     }
@@ -54,14 +69,87 @@ pub(crate) fn read(sources: &mut Sources, name: &str, bytes: &[u8]) -> Fallible<
         let start = parsed.deck.files.first().map(|file| Span::new(file.file, 0, 0));
         return Err(unreadable("the mesh has no elements", start));
     }
-    // blocks are entities, of which gmsh makes sets where no group has a name
-    let mut groups = if sets.0.is_empty() { blocks.0 } else { sets.0 };
+    let surfaces = of_faces(&surfaces, &mut mesh, &places, &blocks, &mut sets)?;
+    let mut groups = groups(blocks, sets);
+    groups.extend(surfaces);
     for group in &mut groups {
         let dimensions = group.cells.iter().map(|&cell| mesh.cells[cell].dimension);
         group.dimension = dimensions.max().unwrap_or_default();
     }
     mesh.groups = groups;
     Ok(mesh)
+}
+
+/// Blocks are parts; those of gmsh are entities, of which it makes sets where no group has a name.
+fn groups(blocks: Sets, sets: Sets) -> Vec<Group> {
+    let entity = |name: &str| {
+        let numbered = |rest: &str| rest.bytes().all(|byte| byte.is_ascii_digit());
+        ["Point", "Line", "Surface", "Volume"]
+            .iter()
+            .any(|kind| name.strip_prefix(kind).is_some_and(numbered))
+    };
+    let all = sets.0.is_empty();
+    let same = |own: &Group| sets.find(&own.name).is_some();
+    let kept = |own: &Group| all || !entity(&own.name) && shape(&own.name).is_none() && !same(own);
+    let parts: Vec<Group> = blocks.0.iter().filter(|own| kept(own)).cloned().collect();
+    parts.into_iter().chain(sets.0).collect()
+}
+
+/// Surfaces of element faces, as cells on these faces. Sets that begin with `_` serve a surface
+/// alone: they are left out.
+fn of_faces(
+    surfaces: &[&Card],
+    mesh: &mut Mesh,
+    places: &HashMap<u64, usize>,
+    blocks: &Sets,
+    sets: &mut Sets,
+) -> Fallible<Vec<Group>> {
+    let (mut groups, mut served) = (Vec::new(), Vec::new());
+    for card in surfaces {
+        let mut group = Group { name: title(card, "NAME")?, ..Group::default() };
+        for line in &card.data {
+            let [set, face, ..] = &line.fields[..] else { continue };
+            // S1, S2, ...; sides of shells and nodes are no faces
+            let face = face.text.to_ascii_uppercase();
+            let Some(face) = face.strip_prefix('S').and_then(|own| own.parse::<usize>().ok())
+            else {
+                continue;
+            };
+            let cells = match set.text.parse::<u64>() {
+                Ok(label) => places.get(&label).map(|&cell| vec![cell]),
+                Err(_) => sets
+                    .find(&set.text)
+                    .or_else(|| blocks.find(&set.text))
+                    .map(|own| own.cells.clone()),
+            };
+            let Some(cells) = cells else {
+                return Err(unreadable(
+                    format!("there is no element or set `{}`", set.text),
+                    Some(set.span),
+                ));
+            };
+            served.push(set.text.to_uppercase());
+            for cell in cells {
+                let Cell { dimension, nodes, .. } = &mesh.cells[cell];
+                let Some(own) = faces(*dimension, nodes.len()).get(face.wrapping_sub(1)) else {
+                    continue; // a side of a shell
+                };
+                let nodes = own.iter().map(|&node| nodes[node]).collect();
+                let own = Cell { label: 0, dimension: dimension - 1, nodes, span: line.span };
+                group.cells.push(mesh.cells.len());
+                mesh.cells.push(own);
+            }
+        }
+        if !group.cells.is_empty() {
+            groups.push(group);
+        }
+    }
+    sets.0.retain(|own| !own.name.starts_with('_') || !served.contains(&own.name.to_uppercase()));
+    // a surface of the name of a set of other things
+    for own in groups.iter_mut().filter(|own| sets.find(&own.name).is_some()) {
+        own.name.push_str("_FACES");
+    }
+    Ok(groups)
 }
 
 fn title(card: &Card, parameter: &str) -> Fallible<String> {
@@ -83,11 +171,23 @@ fn whole(line: &DataLine) -> Fallible<Vec<u64>> {
         .collect()
 }
 
-fn members(card: &Card) -> Fallible<Vec<u64>> {
-    let lines: Vec<Vec<u64>> = card.data.iter().map(whole).collect::<Fallible<_>>()?;
+/// Numbers of a set; a name stands for the numbers of the set of that name.
+fn members(card: &Card, named: impl Fn(&str) -> Option<Vec<u64>>) -> Fallible<Vec<u64>> {
     if card.parameter("GENERATE").is_none() {
-        return Ok(lines.concat());
+        let fields = card.data.iter().flat_map(|line| &line.fields);
+        let mut all = Vec::new();
+        for field in fields.filter(|field| !field.text.is_empty()) {
+            match field.text.parse::<u64>() {
+                Ok(number) => all.push(number),
+                Err(_) => all.extend(named(&field.text).ok_or_else(|| {
+                    let message = format!("`{}` is no number, and no set before it", field.text);
+                    unreadable(message, Some(field.span))
+                })?),
+            }
+        }
+        return Ok(all);
     }
+    let lines: Vec<Vec<u64>> = card.data.iter().map(whole).collect::<Fallible<_>>()?;
     let ranges = lines.iter().map(|line| match line[..] {
         [first, last] => Ok((first, last, 1)),
         [first, last, by, ..] if by > 0 => Ok((first, last, by)),
@@ -102,7 +202,8 @@ fn members(card: &Card) -> Fallible<Vec<u64>> {
     Ok(ranges.into_iter().flat_map(|(a, b, by)| (a..=b).step_by(by as usize)).collect())
 }
 
-fn nodes(card: &Card, mesh: &mut Mesh) -> Fallible<()> {
+fn nodes(card: &Card, mesh: &mut Mesh, lists: &mut Sets) -> Fallible<()> {
+    let name = title(card, "NSET").ok();
     for line in &card.data {
         let mut fields = line.fields.iter();
         let label = fields.next().and_then(|field| field.text.parse().ok());
@@ -114,6 +215,9 @@ fn nodes(card: &Card, mesh: &mut Mesh) -> Fallible<()> {
             return Err(unreadable("a node has a number and a position", Some(line.span)));
         };
         mesh.nodes.insert(label, position);
+        if let Some(name) = &name {
+            lists.named(name).nodes.push(label);
+        }
     }
     Ok(())
 }
@@ -125,8 +229,7 @@ fn elements(
     blocks: &mut Sets,
 ) -> Fallible<()> {
     let kind = title(card, "TYPE")?.to_uppercase();
-    let cell = element_type(&kind).map(|row| row.cell);
-    let Some((dimension, count)) = cell.map(|cell| (cell.dimension, cell.nodes)) else {
+    let Some((dimension, count)) = shape(&kind) else {
         let message = format!("elements of type {kind} have no counterpart here");
         return Err(no_element(message, Some(card.span)));
     };

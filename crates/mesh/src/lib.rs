@@ -1,8 +1,8 @@
-//! Meshes that gmsh wrote, and the decks that are made of them.
+//! Meshes that gmsh and other programs wrote, and the decks that are made of them.
 //!
 //! ```text
 //!   mesh.msh (2.2, 4.1 ASCII) --+
-//!   mesh.inp (of gmsh) ---------+--> Mesh { nodes, cells, groups } --> deck
+//!   mesh.inp -------------------+--> Mesh { nodes, cells, groups } --> deck
 //!                                           Wishes --------------------'
 //! ```
 //!
@@ -17,6 +17,7 @@ mod lines;
 mod mesh;
 mod msh;
 mod parts;
+mod shapes;
 mod wishes;
 
 pub use deck::deck;
