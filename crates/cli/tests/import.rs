@@ -205,7 +205,7 @@ fn no_damage_is_a_fault_of_ours() {
     }
 }
 
-/// Decks as PrePoMax, FreeCAD, meshio and Netgen write them: sets of sets, surfaces of element faces,
+/// A deck of meshio, and decks in the forms of PrePoMax, FreeCAD and Netgen: sets of sets, surfaces of faces,
 /// types without a counterpart here.
 #[test]
 fn meshes_of_other_programs_become_decks() {

@@ -1,5 +1,6 @@
-//! Nodes, elements, sets and surfaces of a deck, as gmsh, FreeCAD, PrePoMax, Netgen and meshio write
-//! them. A type names no more than a cell: gmsh calls all lines trusses and all areas plane stress,
+//! Nodes, elements, sets and surfaces of a deck, as gmsh and meshio write them, and in the forms of
+//! FreeCAD, PrePoMax and Netgen. A type names no more than a cell: gmsh calls all lines trusses and
+//! all areas plane stress,
 //! meshio bricks C3D8RH; what they are is said by the wishes.
 
 use crate::corners::is_known;
