@@ -17,8 +17,11 @@ use slideline_model::Dialect;
 /// [F or F L]; nothing where the dialect does not ask for it or nothing is joined.
 pub fn joined_forces(plan: &Problem<'_>, state: &State, work: &Scratch, into: &mut Vec<f64>) {
     into.clear();
+    if plan.model.dialect != Dialect::Calculix {
+        return;
+    }
     let joined = plan.constraints.joined();
-    if plan.model.dialect != Dialect::Calculix || joined.is_empty() {
+    if joined.is_empty() {
         return;
     }
     let mut own = vec![0.0; state.load.len()];
