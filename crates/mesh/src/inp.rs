@@ -1,7 +1,6 @@
 //! Nodes, elements, sets and surfaces of a deck, as gmsh and meshio write them, and in the forms of
 //! FreeCAD, PrePoMax and Netgen. A type names no more than a cell: gmsh calls all lines trusses and
-//! all areas plane stress,
-//! meshio bricks C3D8RH; what they are is said by the wishes.
+//! all areas plane stress, meshio bricks C3D8RH; what they are is said by the wishes.
 
 use crate::corners::is_known;
 use crate::fault::{no_element, unreadable};

@@ -7,8 +7,8 @@
 //!          1   1  2.029475E+01  7.385710E-04 ...
 //! ```
 //!
-//! RF is the sum of reaction and load there, at joined nodes what their elements carry, and energies are those of all work, what plastic
-//! strain took included; measured with ccx 2.20 (docs/keywords/NODE-PRINT.md, EL-PRINT.md).
+//! RF is the sum of reaction and load there, at joined nodes what their elements carry, and energies
+//! are those of all work, what plastic strain took included; measured with ccx 2.20 (docs/keywords/NODE-PRINT.md, EL-PRINT.md).
 
 use super::table::named;
 use crate::fortran::push_fortran;
