@@ -10,17 +10,13 @@ use crate::newton::Scratch;
 use crate::problem::Problem;
 use crate::state::State;
 use slideline_mech::contact::tangential::Tangential;
-use slideline_model::Dialect;
 
 /// Reaction and load of every dof of a state that was just committed, but at the dofs of elements
 /// that equations and rigid bodies join to others the force of their own elements and contact
 /// [F or F L]; nothing where the dialect does not ask for it or nothing is joined.
 pub fn joined_forces(plan: &Problem<'_>, state: &State, work: &Scratch, into: &mut Vec<f64>) {
     into.clear();
-    if plan.model.dialect != Dialect::Calculix {
-        return;
-    }
-    let joined = plan.constraints.joined();
+    let joined = &plan.constraints.joined;
     if joined.is_empty() {
         return;
     }
@@ -34,7 +30,7 @@ pub fn joined_forces(plan: &Problem<'_>, state: &State, work: &Scratch, into: &m
     into.extend(state.reaction.iter().zip(&state.load).map(|(reaction, load)| reaction + load));
     let mut has_element = vec![false; own.len()];
     plan.structure.numbering.own.iter().for_each(|&dof| has_element[dof] = true);
-    for dof in joined {
+    for &dof in joined {
         let (node, _) = plan.dofs.name(dof);
         if plan.dofs.place_of_turned(node).is_none() {
             if has_element[dof] {

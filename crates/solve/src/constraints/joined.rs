@@ -5,9 +5,9 @@ use super::numbering::ConstraintNumbering;
 use std::collections::HashSet;
 
 impl ConstraintNumbering {
-    /// Dofs, along the axes in which the deck names them, that equations name and that follow rigid
-    /// bodies; not those of the bodies, which stand for all that follows them.
-    pub fn joined(&self) -> Vec<usize> {
+    /// Dofs that equations name and that follow rigid bodies; not those of the bodies, which stand for
+    /// all that follows them.
+    pub(super) fn find_joined(&self) -> Vec<usize> {
         let said = self.linear.iter().filter(|own| matches!(own.source, Source::Said(_)));
         let said = said.flat_map(|own| {
             own.terms.iter().map(|&(dof, _)| dof).chain(std::iter::once(own.dependent))

@@ -4,7 +4,7 @@ use super::deserted::deserted;
 use super::linear::{self, LinearConstraint};
 use super::rigid::{self, RigidLink};
 use crate::dofs::DofMap;
-use slideline_model::{Dof, Model, NodeIndex, Step};
+use slideline_model::{Dialect, Dof, Model, NodeIndex, Step};
 
 /// What a dof is in a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,6 +35,9 @@ pub struct ConstraintNumbering {
     pub(super) leading: usize,
     /// Nodes with axes of their own, each with its transform.
     pub(super) turned: Vec<(NodeIndex, usize)>,
+    /// Dofs, along the axes in which the deck names them, that equations name and that follow rigid
+    /// bodies; none where the dialect does not ask for them.
+    pub joined: Vec<usize>,
     /// Nodes of the shapes of the model, shape by shape.
     pub(super) shape_nodes: Vec<NodeIndex>,
     /// Dependent dof of every row.
@@ -60,6 +63,7 @@ impl ConstraintNumbering {
             linear,
             leading,
             turned: dofs.turned().to_vec(),
+            joined: Vec::new(),
             shape_nodes: model.shapes.iter().flat_map(|own| own.nodes.iter().copied()).collect(),
             dependent_dofs: Vec::new(),
             row_start: vec![0],
@@ -86,6 +90,9 @@ impl ConstraintNumbering {
             }
         }
         new.number_unknowns();
+        if model.dialect == Dialect::Calculix {
+            new.joined = new.find_joined();
+        }
         new
     }
 
