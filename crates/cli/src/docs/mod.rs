@@ -38,6 +38,7 @@ const WRITTEN: &[(&str, &str)] = &[
     ("field/rail_clip", include_str!("../../../../docs/field/rail_clip.md")),
     ("field/cam_latch", include_str!("../../../../docs/field/cam_latch.md")),
     ("field/o_ring", include_str!("../../../../docs/field/o_ring.md")),
+    ("field/door_seal", include_str!("../../../../docs/field/door_seal.md")),
     ("field/press_fit", include_str!("../../../../docs/field/press_fit.md")),
     ("field/battery_contact", include_str!("../../../../docs/field/battery_contact.md")),
     ("paper", include_str!("../../../../docs/guide/paper.md")),
@@ -74,6 +75,7 @@ const IMAGES: &[(&str, &[u8])] = &[
     ("images/field/rail_clip.png", include_bytes!("../../../../docs/images/field/rail_clip.png")),
     ("images/field/cam_latch.png", include_bytes!("../../../../docs/images/field/cam_latch.png")),
     ("images/field/o_ring.png", include_bytes!("../../../../docs/images/field/o_ring.png")),
+    ("images/field/door_seal.png", include_bytes!("../../../../docs/images/field/door_seal.png")),
     ("images/field/press_fit.png", include_bytes!("../../../../docs/images/field/press_fit.png")),
     (
         "images/field/battery_contact.png",
