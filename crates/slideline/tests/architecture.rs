@@ -297,7 +297,6 @@ fn every_keyword_has_a_page_and_a_deck() {
     assert!(missing.is_empty(), "missing: {missing:?}");
 }
 
-/// A heading that a reader sees first: every crate says what it is for.
 /// Requirement: files that the page names are there, and every example of the library is run by a
 /// test of its name.
 #[test]
@@ -310,13 +309,56 @@ fn what_is_added_from_outside_is_there_and_tested() {
     collect(&folder("slideline").join("examples"), &mut examples);
     for example in examples {
         let name = example.file_name().unwrap().to_string_lossy();
-        let test = read(&folder("slideline").join("tests").join(&*name));
-        assert!(test.contains(&format!("../examples/{name}")), "{name}");
+        let test = read(&folder("slideline").join("tests/runs").join(&*name));
+        assert!(test.contains(&format!("../../examples/{name}")), "{name}");
         let shown = page.iter().any(|own| own.ends_with(&format!("examples/{name}")));
         assert!(shown, "ARCHITECTURE.md does not name {name}");
     }
 }
 
+/// Programs of tests that have a process of their own, with the reason; all other tests of a crate
+/// are modules of a `tests/PROGRAM/main.rs`.
+const ALONE: [(&str, &str); 3] = [
+    ("crates/slideline/tests/architecture.rs", "reads the tree and runs nothing"),
+    ("crates/linalg/tests/allocation.rs", "counts what the process allocates"),
+    ("crates/reproduce/tests/study.rs", "the only one of its crate"),
+];
+
+/// Every program of tests is linked with the whole library: a file each made the build twice as
+/// long.
+#[test]
+fn tests_share_a_few_programs() {
+    for name in crates() {
+        let tests = folder(&name).join("tests");
+        let manifest = read(&folder(&name).join("Cargo.toml"));
+        if !tests.is_dir() || manifest.contains("autotests = false") {
+            continue;
+        }
+        for entry in std::fs::read_dir(&tests).unwrap().map(|entry| entry.unwrap().path()) {
+            let place = entry.strip_prefix(root()).unwrap().display().to_string();
+            let alone = ALONE.iter().any(|(known, _)| place == *known);
+            let file = entry.extension().is_some_and(|ending| ending == "rs");
+            assert!(!file || alone, "{place} is a program of its own: move it below a program");
+            if entry.join("main.rs").is_file() {
+                every_file_is_a_module(&entry);
+            }
+        }
+    }
+}
+
+/// A file that no `mod` names would be no test.
+fn every_file_is_a_module(program: &Path) {
+    let main = read(&program.join("main.rs"));
+    for entry in std::fs::read_dir(program).unwrap().map(|entry| entry.unwrap().path()) {
+        let module = entry.file_stem().unwrap().to_str().unwrap();
+        let holds_code = entry.extension().is_some_and(|ending| ending == "rs")
+            || entry.join("mod.rs").is_file();
+        let named = module == "main" || main.contains(&format!("mod {module};"));
+        assert!(!holds_code || named, "{} is no module of its program", entry.display());
+    }
+}
+
+/// A heading that a reader sees first: every crate says what it is for.
 #[test]
 fn every_crate_has_a_description() {
     for name in crates() {

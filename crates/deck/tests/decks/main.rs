@@ -1,0 +1,5 @@
+//! Texts to cards.
+
+mod limits;
+mod print_back;
+mod syntax;

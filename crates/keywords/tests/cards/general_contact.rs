@@ -1,0 +1,137 @@
+//! General contact: which pairs its cards make, with which roles and laws.
+
+#![allow(clippy::expect_used)] // a test may stop
+
+use slideline_deck::NoFiles;
+use slideline_diag::{Severity, Sources};
+use slideline_keywords::read;
+use slideline_model::{Adjust, Dialect, Formulation, Master, Model};
+
+const PLANE: &str = include_str!("../../../../corpus/keywords/CONTACT.inp");
+const NAMED: &str = include_str!("../../../../corpus/keywords/CONTACT-PROPERTY-ASSIGNMENT.inp");
+
+const BEGUN: &str = include_str!("../../../../corpus/keywords/CONTACT-INITIALIZATION-DATA.inp");
+
+fn model(deck: &str) -> Model {
+    let read = read(&mut Sources::default(), "a.inp", deck.as_bytes(), &NoFiles, Dialect::Abaqus);
+    let errors: Vec<_> =
+        read.diagnostics.iter().filter(|d| d.severity == Severity::Error).collect();
+    assert!(errors.is_empty(), "{errors:#?}");
+    read.model
+}
+
+fn names(model: &Model) -> Vec<&str> {
+    model.contact_pairs.iter().map(|pair| pair.name.as_str()).collect()
+}
+
+/// The contact cards of the deck in place of its own ones.
+fn with(cards: &str) -> String {
+    let (before, rest) = NAMED.split_once("*CONTACT\n").expect("general contact");
+    let (_, after) = rest.split_once("*STEP").expect("a step");
+    format!("{before}*CONTACT\n{cards}*STEP{after}")
+}
+
+/// Requirement: every two parts make a pair, none twice; the finer mesh is the slave, and outlines
+/// that are masters go all round: their last node is their first.
+#[test]
+fn every_two_parts_make_a_pair() {
+    let model = model(PLANE);
+    assert_eq!(names(&model), ["B/A", "C/A", "C/B"]);
+    for pair in &model.contact_pairs {
+        assert_eq!(pair.formulation, Formulation::Mortar);
+        assert_eq!(pair.elements.len(), 4, "the whole outline of the slave");
+        let Master::SlideLine(line) = &pair.master else { unreachable!("a chain") };
+        assert_eq!(line.nodes.len(), 5, "no face of the master's outline is left out");
+        assert_eq!(line.nodes.first(), line.nodes.last());
+        assert_eq!(line.extension, 0.0, "nothing lies beyond its ends");
+    }
+}
+
+/// Requirement: a part that is ten times as stiff is the master, however fine.
+#[test]
+fn the_stiffer_part_is_the_master() {
+    let stiff = PLANE.replace("*ELSET, ELSET=ALL\nA, B, C", "*ELSET, ELSET=ALL\nA, B").replace(
+        "*MATERIAL, NAME=RUBBER",
+        "*SOLID SECTION, ELSET=C, MATERIAL=STEEL\n1.0\n*MATERIAL, NAME=STEEL\n*ELASTIC\n\
+             1000., 0.3\n*MATERIAL, NAME=RUBBER",
+    );
+    let pairs = model(&stiff);
+    let on_steel: Vec<_> = names(&pairs).into_iter().filter(|name| name.ends_with("/C")).collect();
+    assert_eq!(on_steel.len(), 2, "{:?}", names(&pairs));
+}
+
+/// Requirement: exclusions take their pair away and no other, in either order of the names.
+#[test]
+fn exclusions_take_pairs_away() {
+    for excluded in ["SKIN-A, SKIN-C", "SKIN-C, SKIN-A"] {
+        let deck =
+            with(&format!("*CONTACT INCLUSIONS, ALL EXTERIOR\n*CONTACT EXCLUSIONS\n{excluded}\n"));
+        assert_eq!(names(&model(&deck)).len(), 2, "{excluded}");
+    }
+    let named = with("*CONTACT INCLUSIONS\nSKIN-A, SKIN-B\nSKIN-B, SKIN-A\n");
+    assert_eq!(names(&model(&named)), ["B/A"]);
+}
+
+/// Requirement: of faces that are excluded in part the others keep their contact.
+#[test]
+fn faces_are_excluded_alone() {
+    let cards = "*CONTACT INCLUSIONS\nSKIN-A, SKIN-B\n*CONTACT EXCLUSIONS\nSIDE, SKIN-A\n";
+    let deck = with(cards).replace("*CONTACT\n", "*SURFACE, NAME=SIDE\nB, S2\n*CONTACT\n");
+    let model = model(&deck);
+    assert_eq!(model.contact_pairs.len(), 1);
+    assert_eq!(model.contact_pairs[0].elements.len(), 3);
+}
+
+/// Requirement: the last property that fits counts; without one contact is hard and frictionless.
+#[test]
+fn the_last_property_that_fits_counts() {
+    let with_laws = model(NAMED);
+    let friction =
+        |pair: &slideline_model::ContactPair| pair.interaction.friction.coefficients()[0];
+    let found: Vec<f64> = with_laws.contact_pairs.iter().map(friction).collect();
+    let of = |name: &str| {
+        let place = names(&with_laws).iter().position(|own| own.starts_with(name)).expect("a pair");
+        found[place]
+    };
+    assert!((of("B/A") - 0.05).abs() < 1e-12 && (of("C/A") - 0.2).abs() < 1e-12, "{found:?}");
+    let bare = model(PLANE);
+    assert!(bare.contact_pairs.iter().all(|pair| friction(pair) == 0.0));
+}
+
+/// Requirement: slaves of the pair that a line names begin at the clearance of its data, in either
+/// order of the names, or within its distance; all others begin where they are, and every pair keeps
+/// its interaction. A name that nothing has, and what is not supported, are errors.
+#[test]
+fn slaves_begin_as_their_data_say() {
+    let adjusts = |deck: &str| -> Vec<(String, Adjust)> {
+        let pairs = model(deck).contact_pairs.into_iter();
+        let mut own: Vec<_> = pairs.map(|pair| (pair.name, pair.adjust)).collect();
+        own.sort_by(|a, b| a.0.cmp(&b.0));
+        own
+    };
+    let gap = |begun: Adjust| {
+        let of = |name: &str, own| (name.to_owned(), own);
+        vec![of("B/A", begun), of("C/A", Adjust::Nothing), of("C/B", Adjust::Nothing)]
+    };
+    assert_eq!(adjusts(BEGUN), gap(Adjust::Clearance(0.01)));
+    let turned = BEGUN.replace("SKIN-A, SKIN-B, LOOSE", "SKIN-B, SKIN-A, LOOSE");
+    assert_eq!(adjusts(&turned), gap(Adjust::Clearance(0.01)));
+    let near = BEGUN.replace("INITIAL CLEARANCE=0.01", "SEARCH ABOVE=0.02, SEARCH BELOW=0.1");
+    assert_eq!(adjusts(&near), gap(Adjust::Within(0.02)));
+    // the friction of DRY, which C on A has there too
+    let named = model(NAMED);
+    let dry = named.contact_pairs.iter().find(|pair| pair.name == "C/A").expect("a pair");
+    for pair in model(BEGUN).contact_pairs {
+        assert_eq!(pair.interaction.friction, dry.interaction.friction, "{}", pair.name);
+    }
+    for (old, new, code) in [
+        ("SKIN-B, LOOSE", "SKIN-B, LOSE", "SL0328"),
+        ("INITIAL CLEARANCE=0.01", "INTERFERENCE FIT", "SL0221"),
+        ("INITIAL CLEARANCE=0.01", "SEARCH ABOVE=-1.", "SL0210"),
+    ] {
+        let deck = BEGUN.replace(old, new);
+        let read =
+            read(&mut Sources::default(), "a.inp", deck.as_bytes(), &NoFiles, Dialect::Abaqus);
+        assert!(read.diagnostics.iter().any(|said| said.code.0 == code), "{new}");
+    }
+}

@@ -1,0 +1,13 @@
+//! Cards and what they mean.
+
+mod as_cae_writes;
+mod corpus;
+mod general_contact;
+mod generated_lines;
+mod limits_of_use;
+mod meaning;
+mod pairs;
+mod paper;
+mod parameters;
+mod refusals;
+mod total;

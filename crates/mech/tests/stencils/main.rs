@@ -1,0 +1,13 @@
+//! Elements, materials and contact of one stencil, against closed forms and differences.
+
+mod beams;
+mod contact;
+mod derivatives;
+mod heated;
+mod lines;
+mod mixed;
+mod orientation;
+mod solids;
+mod space_beams;
+mod two_coefficients;
+mod user_material;

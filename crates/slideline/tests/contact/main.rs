@@ -1,0 +1,32 @@
+//! Contact: laws, searches and pairs, each judged on what runs leave.
+
+mod adjust;
+mod analytical_in_space;
+mod change_friction;
+mod changed_properties;
+mod contact_in_space;
+mod contact_totals;
+mod decaying_friction;
+mod field;
+mod flush_blocks;
+mod interference;
+mod mortar;
+mod mortar_decks;
+mod mortar_in_space;
+mod mortar_in_space_verification;
+mod mortar_sliding;
+mod mortar_verification;
+mod no_separation;
+mod noise;
+mod pairs_that_leave;
+mod pressed_on_planes;
+mod rigid_meshes;
+mod ring_contact;
+mod self_contact;
+mod solid_contact;
+mod space_decks;
+mod strip;
+mod supported_slaves;
+mod two_blocks;
+mod two_coefficients;
+mod valleys;

@@ -1,0 +1,114 @@
+//! Contact pairs that leave the model and come back, and laws as CalculiX means them.
+
+#![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
+
+use crate::two_blocks::{ALL, mesh, solved};
+use slideline::model::{Dialect, Master, NormalLaw};
+use slideline::output::report::{Options, write};
+use slideline::{Job, Quiet, ReadOptions, RunOptions, Status, run};
+use std::path::Path;
+
+const STEP: &str = "*STEP\n*STATIC, DIRECT\n0.5, 1.0\n";
+
+/// Requirement: blocks pressed by d carry N = E A d/2; removed, nothing; added again, N. At nodes and
+/// over faces, in the plane and in space. Tolerance: rounding.
+#[test]
+fn a_removed_pair_carries_nothing() {
+    for (in_space, kind) in ALL {
+        let up = if in_space { 3 } else { 2 };
+        let change = |what: &str| {
+            format!("{STEP}*MODEL CHANGE, TYPE=CONTACT PAIR, {what}\nUPPER, LOWER\n*END STEP\n")
+        };
+        let deck = format!(
+            "{}*SURFACE INTERACTION, NAME=I\n*CONTACT PAIR, INTERACTION=I, TYPE={kind}\nUPPER, LOWER\n\
+             {STEP}*BOUNDARY\nLOW, 1, {up}\nHIGH, 1, {up}\nHIGH, {up}, {up}, -0.01\n*END STEP\n",
+            mesh(in_space, 0.0)
+        ) + &change("REMOVE")
+            + &change("ADD");
+        let along: Vec<f64> = solved(&deck).force.iter().map(|force| force[up - 1]).collect();
+        // at the ends of the steps: what ramps off or on in between is not held to this
+        for (increment, wanted) in [(1, 5.0), (2, 0.0), (3, 0.0), (5, 5.0)] {
+            let off = along[increment] - wanted;
+            assert!(off.abs() < 1e-9, "{kind} {in_space}, {increment}: {along:?}");
+        }
+    }
+}
+
+/// Requirement: a run that ends without its pair has a report; where rows of closed points are gone
+/// the contact file was cut, and there is none.
+#[test]
+fn a_run_that_ends_without_a_pair_has_a_report() {
+    let deck = format!(
+        "{}*SURFACE INTERACTION, NAME=I\n*CONTACT PAIR, INTERACTION=I\nUPPER, LOWER\n\
+         {STEP}*BOUNDARY\nLOW, 1, 2\nHIGH, 1, 2\nHIGH, 2, 2, -0.01\n*END STEP\n\
+         {STEP}*MODEL CHANGE, TYPE=CONTACT PAIR, REMOVE\nUPPER, LOWER\n*END STEP\n",
+        mesh(false, 0.0)
+    );
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("ends_without_a_pair");
+    let _ = std::fs::remove_dir_all(&folder);
+    let read = Job::read_text("leaves", &deck, &ReadOptions::default());
+    let options = RunOptions { folder: Some(folder.clone()), ..RunOptions::default() };
+    let outcome = run(&read, &options, &mut Quiet);
+    assert_eq!(outcome.status, Status::Completed, "{:#?}", outcome.diagnostics);
+    let report = || write(&outcome.files, &Options::default());
+    assert!(report().is_ok(), "{:?}", report().err().map(|problem| problem.to_string()));
+    let path = folder.join("leaves.contact.csv");
+    let rows = std::fs::read_to_string(&path).unwrap();
+    let closed: String =
+        rows.split_inclusive('\n').filter(|row| !row.starts_with("1,2,")).collect();
+    assert!(closed.len() < rows.len(), "{rows}");
+    std::fs::write(
+        path,
+        closed.split_inclusive('\n').take_while(|row| !row.starts_with("2,")).collect::<String>(),
+    )
+    .unwrap();
+    assert!(report().is_err(), "rows of the second increment, which are closed, are gone");
+}
+
+/// Requirement: in CalculiX the pull of a linear law counts at nodes alone (measured with ccx 2.20:
+/// between faces a thousandfold pull changes no digit), and an interaction without a law is warned
+/// of. In Abaqus it is hard contact and nothing is said.
+#[test]
+fn laws_are_those_of_calculix() {
+    let read = |kind: &str, laws: &str, dialect: Dialect| {
+        let deck = format!(
+            "{}*SURFACE INTERACTION, NAME=I\n{laws}*CONTACT PAIR, INTERACTION=I, TYPE={kind}\n\
+             UPPER, LOWER\n{STEP}*END STEP\n",
+            mesh(true, 0.0)
+        );
+        let options = ReadOptions { dialect: Some(dialect), ..ReadOptions::default() };
+        let read = Job::read_text("laws", &deck, &options);
+        let warned = read.diagnostics.iter().any(|said| said.code.0 == "SL0399");
+        (read.model.unwrap().contact_pairs[0].interaction.normal.clone(), warned)
+    };
+    let linear = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1.0E5, 3.0\n";
+    let (stiffness, tension) = (1e5, 3.0);
+    let (faces, nodes) = ("SURFACE TO SURFACE", "NODE TO SURFACE");
+    let ccx = Dialect::Calculix;
+    assert_eq!(read(faces, linear, ccx), (NormalLaw::Linear { stiffness }, false));
+    let pulls = NormalLaw::CalculixLinear { stiffness, tension };
+    assert_eq!(read(nodes, linear, ccx), (pulls, false));
+    assert_eq!(read(nodes, "", ccx), (NormalLaw::Hard, true));
+    assert_eq!(read(nodes, "", Dialect::Abaqus), (NormalLaw::Hard, false));
+}
+
+/// Requirement: in CalculiX a second card adds faces to a surface (measured with ccx 2.20); in Abaqus
+/// it is an error.
+#[test]
+fn surfaces_are_extended_in_calculix() {
+    let deck = format!(
+        "{}*SURFACE, NAME=LOWER\n1, S3\n*SURFACE INTERACTION, NAME=I\n*CONTACT PAIR, INTERACTION=I, \
+         TYPE=SURFACE TO SURFACE\nUPPER, LOWER\n{STEP}*END STEP\n",
+        mesh(true, 0.0)
+    );
+    let faces = |dialect: Dialect| {
+        let options = ReadOptions { dialect: Some(dialect), ..ReadOptions::default() };
+        let model = Job::read_text("surfaces", &deck, &options).model?;
+        match &model.contact_pairs[0].master {
+            Master::Faces(faces) => Some(faces.faces.len()),
+            _ => None,
+        }
+    };
+    assert_eq!(faces(Dialect::Calculix), Some(2));
+    assert_eq!(faces(Dialect::Abaqus), None);
+}

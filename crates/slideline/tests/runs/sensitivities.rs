@@ -1,0 +1,178 @@
+//! Derivatives by direct differentiation against differences of whole runs.
+
+#![allow(clippy::unwrap_used, clippy::panic, clippy::print_stdout)] // a test may fail where it stands
+
+use crate::sensitivity_decks::{Response, Varied, motion, reaction};
+use slideline::model::Dof;
+
+/// A beam under a rigid circle that presses and is dragged.
+fn leaf(law: &str, pair: &str) -> String {
+    format!(
+        "*PARAMETER\nthickness = 1.0\nmodulus = 210000.0\nmu = 0.2\nx = 30.3\npush = 1.0\n\
+         middle = x - 0.0\nleft = x + 8.0\nright = x - 8.0\ndown = -push\n\
+         *NODE, NSET=BEAM\n1, 0.0, 0.0\n31, 60.0, 0.0\n*NGEN, NSET=BEAM\n1, 31, 1\n\
+         *ELEMENT, TYPE=B21, ELSET=BEAM\n1, 1, 2\n*ELGEN, ELSET=BEAM\n1, 30, 1, 1\n\
+         *BEAM SECTION, SECTION=RECT, ELSET=BEAM, MATERIAL=M\n10.0, <thickness>\n\
+         *MATERIAL, NAME=M\n*ELASTIC\n<modulus>, 0.3\n*NODE\n900, <x>, 8.05\n\
+         *SURFACE, NAME=ROLLER, TYPE=SEGMENTS\nSTART, <left>, 8.05\n\
+         CIRCL, <middle>, 0.05, <middle>, 8.05\nCIRCL, <right>, 8.05, <middle>, 8.05\n\
+         *RIGID BODY, REF NODE=900, ANALYTICAL SURFACE=ROLLER\n\
+         {pair}*SURFACE INTERACTION, NAME=TOUCH\n10.0\n*FRICTION\n<mu>\n{law}\
+         *STEP, NLGEOM, INC=400\n*STATIC, DIRECT\n0.1, 1.0\n*CONTROLS, PARAMETERS=FIELD\n1e-11, 1e-8\n\
+         *BOUNDARY\n1, 1, 6\n900, 1\n900, 6\n\
+         900, 2, 2, <down>\n*END STEP\n\
+         *STEP, NLGEOM, INC=400\n*STATIC, DIRECT\n0.1, 1.0\n*CONTROLS, PARAMETERS=FIELD\n1e-11, 1e-8\n\
+         *BOUNDARY\n900, 1, 1, 1.0\n*END STEP\n"
+    )
+}
+
+const PARAMETERS: [(&str, f64); 5] =
+    [("thickness", 1.0), ("modulus", 210000.0), ("mu", 0.2), ("x", 30.3), ("push", 1.0)];
+
+const INTEGRATED: &str = "*SURFACE, NAME=TOP, TYPE=ELEMENT\nBEAM, SPOS\n\
+    *CONTACT PAIR, INTERACTION=TOUCH, TYPE=SURFACE TO SURFACE, NO THICKNESS\nTOP, ROLLER\n";
+const AT_NODES: &str = "*SURFACE, NAME=TOP, TYPE=NODE\nBEAM\n\
+    *CONTACT PAIR, INTERACTION=TOUCH, TYPE=NODE TO SURFACE\nTOP, ROLLER\n";
+
+const OF_ROLLER: [Response; 5] = [
+    |frame| motion(frame, 31, Dof::U2),
+    |frame| reaction(frame, 900, Dof::U1),
+    |frame| reaction(frame, 900, Dof::U2),
+    |frame| frame.energy.strain_energy,
+    |frame| frame.energy.friction_dissipation,
+];
+
+/// Requirement: derivatives of motions, reactions and energies with contact that is integrated along
+/// beams and rubs, by section, material, friction, geometry and motion, are those of differences.
+#[test]
+fn a_beam_under_a_circle_with_friction() {
+    let law = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=EXPONENTIAL\n0.01, 40.0\n";
+    let deck = Varied::new(&leaf(law, INTEGRATED), &PARAMETERS, &OF_ROLLER);
+    let seen = deck.check(&[1e-4, 1e-4, 1e-4, 1e-5, 1e-4], 1e-6);
+    assert!(seen.one_sided.iter().flatten().all(|one| !one));
+}
+
+/// Requirement: the same with hard contact at nodes.
+#[test]
+fn nodes_on_a_hard_circle_with_friction() {
+    let deck = Varied::new(&leaf("", AT_NODES), &PARAMETERS, &OF_ROLLER);
+    let seen = deck.check(&[1e-5], 1e-6);
+    assert!(seen.one_sided.iter().flatten().all(|one| !one));
+}
+
+/// Requirement: where a hard contact just touches at the end of an increment, the reaction has a kink by
+/// the motion: the derivative is that of one side, zero or the stiffness, and is marked from there on, for
+/// friction remembers; by the thickness nothing changes there, and nothing is marked.
+#[test]
+fn a_change_of_status_is_marked() {
+    let text = leaf("", AT_NODES).replace("30.3", "30.0").replace("push = 1.0", "push = 0.5");
+    let parameters = [("push", 0.5), ("thickness", 1.0)];
+    let seen = Varied::new(&text, &parameters, &OF_ROLLER).differentiated();
+    assert!(seen.one_sided[0].iter().all(|one| *one), "{:?}", seen.one_sided);
+    assert!(!seen.one_sided[1][0], "{:?}", seen.one_sided);
+    // a tenth of the motion, on a cantilever of 30 mm: 3 EI/l^3, softened by nothing
+    let stiffness = 3.0 * 210_000.0 * (10.0 / 12.0) / 30.0_f64.powi(3);
+    let touches = seen.rates[0][0][2].abs();
+    assert!(
+        touches < 1e-9 * stiffness || (touches / (0.1 * stiffness) - 1.0).abs() < 0.01,
+        "{touches}"
+    );
+}
+
+/// Solids pressed on one another and dragged: nodes on faces, hard, with friction.
+fn blocks() -> String {
+    let deck = include_str!("../../../../corpus/sound/solid_blocks_mm.inp");
+    let names = "*PARAMETER\nmodulus = 2600.0\nnu = 0.35\nmu = 0.2\nwidth = 5.0\nlift = 0.8\n\
+                 press = -0.02\ndrag = 0.1\n";
+    let controls = "*CONTROLS, PARAMETERS=FIELD\n1e-11, 1e-8\n*BOUNDARY\n";
+    let deck = deck
+        .replace("2600.0, 0.35", "<modulus>, <nu>")
+        .replace("\n5.0\n", "\n<width>\n")
+        .replace("\n0.2\n", "\n<mu>\n")
+        .replace(", 0.8\n", ", <lift>\n")
+        .replace("-0.02", "<press>")
+        .replace("TOP, 1, 1, 0.4", "TOP, 1, 1, <drag>")
+        .replace("*STATIC\n0.5, 1.0", "*STATIC, DIRECT\n0.5, 1.0")
+        .replace("*STATIC\n0.1, 1.0, 1.0E-5, 0.1", "*STATIC, DIRECT\n0.2, 1.0")
+        .replace("*BOUNDARY\nTOP", &format!("{controls}TOP"));
+    deck.replacen("*NODE\n", &format!("{names}*NODE\n"), 1)
+}
+
+/// Requirement: derivatives of solids with hard contact and friction, by material, section, places of
+/// nodes and motion.
+#[test]
+fn solids_on_one_another() {
+    let parameters = [
+        ("modulus", 2600.0),
+        ("nu", 0.35),
+        ("mu", 0.2),
+        ("width", 5.0),
+        ("lift", 0.8),
+        ("press", -0.02),
+        ("drag", 0.1),
+    ];
+    let responses: [Response; 4] = [
+        |frame| motion(frame, 102, Dof::U2),
+        |frame| reaction(frame, 110, Dof::U1),
+        |frame| reaction(frame, 4, Dof::U2),
+        |frame| frame.energy.strain_energy,
+    ];
+    Varied::new(&blocks(), &parameters, &responses).check(&[1e-4], 1e-6);
+}
+
+/// A strip that yields, is unloaded and yields again, held by loads.
+const PLASTIC: &str = "*PARAMETER\nmodulus = 1000.0\nyield = 10.0\nhard = 15.0\nload = 11.5\n\
+    back = -11.0\nlength = 2.0\n*NODE\n1, 0, 0\n2, <length>, 0\n3, <length>, 1.1\n4, 0, 1\n\
+    5, 4, 0\n6, 4, 0.8\n*ELEMENT, TYPE=CPE4, ELSET=ALL\n1, 1, 2, 3, 4\n2, 2, 5, 6, 3\n\
+    *SOLID SECTION, ELSET=ALL, MATERIAL=M\n1.0\n*MATERIAL, NAME=M\n*ELASTIC\n<modulus>, 0.3\n\
+    *PLASTIC\n<yield>, 0.0\n<hard>, 0.05\n*BOUNDARY\n1, 1, 2\n4, 1\n";
+
+fn plastic() -> String {
+    let step = |loads: &str| {
+        format!(
+            "*STEP, NLGEOM, INC=100\n*STATIC, DIRECT\n0.1, 1.0\n*CONTROLS, PARAMETERS=FIELD\n\
+             1e-11, 1e-8\n*CLOAD\n5, 1, {loads}\n6, 1, {loads}\n*END STEP\n"
+        )
+    };
+    let halves = "load2 = load/2.2\nback2 = back/2.2\n";
+    let text = PLASTIC.replace("length = 2.0\n", &format!("length = 2.0\n{halves}"));
+    text + &step("<load2>") + &step("<back2>")
+}
+
+/// Requirement: the history of plastic strain counts, over loading, unloading and yielding back.
+#[test]
+fn plastic_history() {
+    let parameters = [
+        ("modulus", 1000.0),
+        ("yield", 10.0),
+        ("hard", 15.0),
+        ("load", 11.5),
+        ("back", -11.0),
+        ("length", 2.0),
+    ];
+    let responses: [Response; 4] = [
+        |frame| motion(frame, 5, Dof::U1),
+        |frame| motion(frame, 6, Dof::U2),
+        |frame| frame.energy.strain_energy,
+        |frame| frame.energy.material_dissipation,
+    ];
+    Varied::new(&plastic(), &parameters, &responses).check(&[1e-5], 1e-6);
+}
+
+/// Requirement: every increment of a deck of the paper has its derivatives, also where the program has
+/// looked for jumps behind it. Source: the deck of the paper with friction.
+#[test]
+fn no_increment_is_left_out() {
+    let names = "*PARAMETER\nt = 1.5E-3\nmu = 0.3\n";
+    let deck = include_str!("../../../../corpus/diehl1995/irs_fine_mu03.inp");
+    let deck = deck
+        .replace("25.0E-3,1.5E-3", "25.0E-3, <t>")
+        .replace("*FRICTION\n0.3", "*FRICTION\n<mu>")
+        .replacen("*NODE", &format!("{names}*NODE"), 1);
+    let responses: [Response; 1] = [|frame| reaction(frame, 9999, Dof::U2)];
+    let parameters = [("t", 1.5e-3), ("mu", 0.3)];
+    let seen = Varied::new(&deck, &parameters, &responses).differentiated();
+    for rates in &seen.rates {
+        assert_eq!(rates.len(), seen.rows.len());
+    }
+}

@@ -1,0 +1,6 @@
+//! Closed forms, their limits and sources.
+
+mod citations;
+mod exact;
+mod limits;
+mod linear;
