@@ -94,17 +94,26 @@ def test_the_version_is_that_of_the_program():
         pytest.skip("slideline is not installed: it runs from its folder")
 
 
-def test_the_wheel_is_for_all_pythons_and_small():
-    """Requirement: abi3 from 3.10, under 12 MB. `.ci/python` says where the wheel is."""
-    wheel = os.environ.get("SLIDELINE_WHEEL")
+@pytest.mark.parametrize(
+    ("variable", "tags", "compiled"),
+    [
+        ("SLIDELINE_WHEEL", "cp310-abi3", "_core.abi3.so"),
+        ("SLIDELINE_FREE_WHEEL", "cp314-cp314t", "_core.cpython-314t-"),
+    ],
+)
+def test_wheels_are_for_all_pythons_and_small(variable, tags, compiled):
+    """Requirement: abi3 from 3.10 and one for free-threaded Python, which has no stable ABI before 3.15;
+    each under 12 MB. `.ci/python` says where the wheels are."""
+    wheel = os.environ.get(variable)
     if wheel is None:
         pytest.skip("no wheel was built: .ci/python does it")
     name = Path(wheel).name
-    assert name.startswith(f"slideline-{slideline.__version__}-cp310-abi3-"), name
+    assert name.startswith(f"slideline-{slideline.__version__}-{tags}-"), name
     assert Path(wheel).stat().st_size < 12_000_000
     with zipfile.ZipFile(wheel) as files:
         inside = files.namelist()
-        [tags] = [own for own in inside if own.endswith(".dist-info/WHEEL")]
-        assert b"Tag: cp310-abi3-" in files.read(tags)
+        [described] = [own for own in inside if own.endswith(".dist-info/WHEEL")]
+        assert f"Tag: {tags}-".encode() in files.read(described)
     assert {"slideline/py.typed", "slideline/_core.pyi"} <= set(inside)
+    assert any(own.startswith(f"slideline/{compiled}") for own in inside), inside
     assert not any("test" in own for own in inside)

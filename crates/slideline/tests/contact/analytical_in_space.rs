@@ -161,8 +161,8 @@ fn tools_are_the_same_in_any_direction() {
 fn graded(fine: f64, count: usize, reach: f64) -> Vec<f64> {
     let mut half = even(0.0, fine, count);
     let mut step = fine / count as f64;
-    while half.last().unwrap() + 1.7 * step < reach {
-        step *= 1.7;
+    while half.last().unwrap() + 2.4 * step < reach {
+        step *= 2.4;
         half.push(half.last().unwrap() + step);
     }
     half.push(reach);
@@ -175,7 +175,7 @@ fn graded(fine: f64, count: usize, reach: f64) -> Vec<f64> {
 #[test]
 fn a_ball_obeys_hertz() {
     let depth: f64 = 0.01;
-    let lines = graded(0.12, 5, 1.0);
+    let lines = graded(0.12, 4, 1.5);
     let below: Vec<f64> = lines.iter().copied().filter(|x| *x <= 0.0).collect();
     let press = Press {
         lines: [lines.clone(), lines, below],
