@@ -11,15 +11,60 @@
 
 use crate::kernel::{BLOCK, dot_from_far, padded, subtract, subtract_lanes};
 
+/// Evaluates an expression for a half-bandwidth, with loops of fixed lengths for those of plane beams,
+/// alone and against a line with smoothed corners.
+macro_rules! with_band {
+    ($half_bandwidth:expr, $b:ident => $body:expr) => {
+        match $half_bandwidth {
+            5 => {
+                let $b = 5;
+                $body
+            }
+            7 => {
+                let $b = 7;
+                $body
+            }
+            8 => {
+                let $b = 8;
+                $body
+            }
+            $b => $body,
+        }
+    };
+}
+
+/// Length of a stored row, with padding.
+#[inline(always)]
+fn width(half_bandwidth: usize) -> usize {
+    3 * half_bandwidth + BLOCK
+}
+
+/// Subtracts the multiples of an unknown from those behind it, in whole blocks where there are as many:
+/// multipliers behind the band are zero.
+#[inline(always)]
+fn subtract_below<const M: usize>(x_j: &[f64; M], multipliers: &[f64], x: &mut [[f64; M]]) {
+    if x.len() < multipliers.len() {
+        for (x_i, l) in x.iter_mut().zip(multipliers) {
+            subtract_lanes(x_i, *l, x_j);
+        }
+        return;
+    }
+    let blocks = x.as_chunks_mut::<BLOCK>().0.iter_mut();
+    for (x_i, l) in blocks.zip(multipliers.as_chunks::<BLOCK>().0) {
+        for k in 0..BLOCK {
+            subtract_lanes(&mut x_i[k], l[k], x_j);
+        }
+    }
+}
+
 /// Storage and factors of a general band with equal half-bandwidths below and above.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct BandLu {
     n: usize,
     half_bandwidth: usize,
-    /// Length of a stored row, with padding.
-    width: usize,
     /// Rows; each diagonal holds the inverse of its pivot once factored.
     row: Vec<f64>,
+    /// Multipliers, column after column, each padded with zeros to whole blocks.
     multiplier: Vec<f64>,
     exchange: Vec<u32>,
     /// Number of entries of each row of U.
@@ -37,13 +82,11 @@ pub(crate) struct SmallestPivot {
 
 impl BandLu {
     pub fn new(n: usize, half_bandwidth: usize) -> Self {
-        let width = 3 * half_bandwidth + BLOCK;
         Self {
             n,
             half_bandwidth,
-            width,
-            row: vec![0.0; n * width + 1],
-            multiplier: vec![0.0; n * half_bandwidth],
+            row: vec![0.0; n * width(half_bandwidth) + 1],
+            multiplier: vec![0.0; n * padded(half_bandwidth)],
             exchange: vec![0; n],
             length: vec![0; n],
             inverse_diagonal: vec![0.0; n],
@@ -52,12 +95,12 @@ impl BandLu {
 
     /// Place of entry (i, j), |i - j| <= b, in the storage.
     pub fn place(&self, i: usize, j: usize) -> usize {
-        i * self.width + (j + self.half_bandwidth - i)
+        i * width(self.half_bandwidth) + (j + self.half_bandwidth - i)
     }
 
     /// A place behind the matrix, for entries that do not belong to it.
     pub fn nowhere(&self) -> usize {
-        self.n * self.width
+        self.n * width(self.half_bandwidth)
     }
 
     /// The storage, set to zero, to be filled with the matrix.
@@ -75,42 +118,67 @@ impl BandLu {
     /// zero when a column had none; the factors are then of no use.
     pub fn factor(&mut self, size: impl Fn(usize) -> f64) -> SmallestPivot {
         self.note_diagonal();
+        with_band!(self.half_bandwidth, b => self.factor_columns(b, size))
+    }
+
+    #[inline(always)]
+    fn factor_columns(&mut self, b: usize, size: impl Fn(usize) -> f64) -> SmallestPivot {
         let mut smallest = SmallestPivot { ratio: f64::INFINITY, at: 0 };
         let mut last_column = 0;
-        for j in 0..self.n {
-            let below = self.half_bandwidth.min(self.n - 1 - j);
-            let pivot_row = self.find_pivot(j, below);
-            last_column = last_column.max((pivot_row + self.half_bandwidth).min(self.n - 1));
-            let length = last_column - j + 1;
-            self.exchange[j] = pivot_row as u32;
-            self.length[j] = length as u32;
-            if pivot_row != j {
-                self.exchange_rows(j, pivot_row, length);
-                self.inverse_diagonal.swap(j, pivot_row);
-            }
-            let (pivot, size) = (self.row[self.place(j, j)].abs(), size(j));
-            let usable = pivot > 0.0 && pivot.is_finite();
-            if !usable {
-                return SmallestPivot { ratio: 0.0, at: j };
-            }
+        let mut judge = |j: usize, pivot: f64| {
+            let (pivot, size) = (pivot.abs(), size(j));
             if pivot < smallest.ratio * size {
                 smallest = SmallestPivot { ratio: pivot / size, at: j };
             }
-            self.eliminate(j, below, length);
+            let usable = pivot > 0.0 && pivot.is_finite();
+            if !usable {
+                smallest = SmallestPivot { ratio: 0.0, at: j };
+            }
+            usable
+        };
+        let whole = self.n.saturating_sub(b);
+        for j in 0..whole {
+            let pivot = self.pivot(b, (j, b), &mut last_column);
+            if !judge(j, pivot) {
+                return smallest;
+            }
+            self.eliminate(b, (j, b));
+        }
+        for j in whole..self.n {
+            let below = self.n - 1 - j;
+            let pivot = self.pivot(b, (j, below), &mut last_column);
+            if !judge(j, pivot) {
+                return smallest;
+            }
+            self.eliminate(b, (j, below));
         }
         smallest
+    }
+
+    /// Exchanges the row to eliminate column `j` with, of so many below, to its place; its pivot.
+    #[inline(always)]
+    fn pivot(&mut self, b: usize, (j, below): (usize, usize), last_column: &mut usize) -> f64 {
+        let pivot_row = self.find_pivot(b, (j, below));
+        *last_column = (*last_column).max((pivot_row + b).min(self.n - 1));
+        let length = *last_column - j + 1;
+        self.exchange[j] = pivot_row as u32;
+        self.length[j] = length as u32;
+        if pivot_row != j {
+            self.exchange_rows(j, pivot_row, length);
+            self.inverse_diagonal.swap(j, pivot_row);
+        }
+        self.row[j * width(b) + b]
     }
 
     /// The row to eliminate column j with: the largest a_ij^2/|d_i|, with the row's own diagonal d_i
     /// before elimination. In a system of forces and moments that ratio compares energies, so that
     /// the choice does not depend on the units.
-    fn find_pivot(&self, j: usize, below: usize) -> usize {
-        let step = self.width - 1;
-        let first = self.place(j, j);
-        let merit = |p: usize| {
-            let entry = self.row[first + p * step];
-            entry * entry * self.inverse_diagonal[j + p]
-        };
+    #[inline(always)]
+    fn find_pivot(&self, b: usize, (j, below): (usize, usize)) -> usize {
+        let step = width(b) - 1;
+        let column = &self.row[j * width(b) + b..][..=below * step];
+        let inverse = &self.inverse_diagonal[j..=j + below];
+        let merit = |p: usize| column[p * step] * column[p * step] * inverse[p];
         let (mut best, mut largest) = (0, merit(0));
         for p in 1..=below {
             let candidate = merit(p);
@@ -123,14 +191,14 @@ impl BandLu {
 
     /// Inverse magnitudes of the diagonal; where it is zero, of the row's largest entry.
     fn note_diagonal(&mut self) {
-        for i in 0..self.n {
-            let own = self.row[self.place(i, i)].abs();
-            let first = i.saturating_sub(self.half_bandwidth);
-            let last = (i + self.half_bandwidth).min(self.n - 1);
-            let largest =
-                || (first..=last).fold(0.0_f64, |a, j| a.max(self.row[self.place(i, j)].abs()));
+        let rows = self.row.chunks_exact(width(self.half_bandwidth));
+        for ((i, row), inverse) in rows.enumerate().zip(&mut self.inverse_diagonal) {
+            let own = row[self.half_bandwidth].abs();
+            let first = self.half_bandwidth.saturating_sub(i);
+            let last = self.half_bandwidth + self.half_bandwidth.min(self.n - 1 - i);
+            let largest = || row[first..=last].iter().fold(0.0_f64, |a, entry| a.max(entry.abs()));
             let size = if own > 0.0 { own } else { largest() };
-            self.inverse_diagonal[i] = if size > 0.0 { 1.0 / size } else { 1.0 };
+            *inverse = if size > 0.0 { 1.0 / size } else { 1.0 };
         }
     }
 
@@ -140,10 +208,12 @@ impl BandLu {
         head[from..from + length].swap_with_slice(&mut tail[..length]);
     }
 
-    fn eliminate(&mut self, j: usize, below: usize, length: usize) {
-        let step = self.width - 1;
-        let first = self.place(j, j);
-        let (head, tail) = self.row.split_at_mut((j + 1) * self.width);
+    #[inline(always)]
+    fn eliminate(&mut self, b: usize, (j, below): (usize, usize)) {
+        let step = width(b) - 1;
+        let first = j * width(b) + b;
+        let length = self.length[j] as usize;
+        let (head, tail) = self.row.split_at_mut((j + 1) * width(b));
         let source = &mut head[first..];
         let inverse = 1.0 / source[0];
         source[0] = inverse;
@@ -152,9 +222,9 @@ impl BandLu {
         }
         let others = padded(length - 1);
         let source = &source[1..=others];
-        let multipliers = &mut self.multiplier[j * self.half_bandwidth..][..below];
+        let multipliers = &mut self.multiplier[j * padded(b)..][..below];
         // In the row p + 1 below, column j is stored one place further left for each row.
-        let offset = first + step - (j + 1) * self.width;
+        let offset = first + step - (j + 1) * width(b);
         for (p, multiplier) in multipliers.iter_mut().enumerate() {
             let target = &mut tail[offset + p * step..][..=others];
             let factor = target[0] * inverse;
@@ -167,22 +237,24 @@ impl BandLu {
 
     /// Solves in place, for every lane.
     pub fn solve<const M: usize>(&self, x: &mut [[f64; M]]) {
-        let (n, b) = (self.n, self.half_bandwidth);
-        for j in 0..n {
+        with_band!(self.half_bandwidth, b => self.solve_columns(b, x))
+    }
+
+    #[inline(always)]
+    fn solve_columns<const M: usize>(&self, b: usize, x: &mut [[f64; M]]) {
+        let n = self.n;
+        let columns = self.multiplier.chunks_exact(padded(b).max(1));
+        for (j, multipliers) in (0..n).zip(columns) {
             let pivot_row = self.exchange[j] as usize;
             if pivot_row != j {
                 x.swap(j, pivot_row);
             }
             let x_j = x[j];
-            let below = b.min(n - 1 - j);
-            let multipliers = &self.multiplier[j * b..][..below];
-            for (x_i, l) in x[j + 1..=j + below].iter_mut().zip(multipliers) {
-                subtract_lanes(x_i, *l, &x_j);
-            }
+            subtract_below(&x_j, multipliers, &mut x[j + 1..]);
         }
         for j in (0..n).rev() {
             let length = self.length[j] as usize;
-            let row = &self.row[self.place(j, j)..][..length];
+            let row = &self.row[j * width(b) + b..][..length];
             let known = dot_from_far(&row[1..], &x[j + 1..j + length]);
             for (x_j, known) in x[j].iter_mut().zip(known) {
                 *x_j = (*x_j - known) * row[0];
@@ -205,7 +277,7 @@ impl BandLu {
         }
         for j in (0..n).rev() {
             let below = b.min(n - 1 - j);
-            let multipliers = &self.multiplier[j * b..][..below];
+            let multipliers = &self.multiplier[j * padded(b)..][..below];
             let known = dot_from_far(multipliers, &x[j + 1..=j + below]);
             x[j].iter_mut().zip(known).for_each(|(x_j, known)| *x_j -= known);
             let pivot_row = self.exchange[j] as usize;

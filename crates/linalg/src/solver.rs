@@ -35,6 +35,8 @@ pub struct Solver {
     report: Option<FactorReport>,
     /// Natural unit of each unknown; none: all alike.
     unit: Vec<f64>,
+    /// Product of the units of row and column of each entry, likewise.
+    unit_of_entry: Vec<f64>,
     /// Whether the last checked solution needed no refinement.
     accurate: bool,
     near: Near,
@@ -62,6 +64,7 @@ impl Solver {
             raised: Vec::new(),
             report: None,
             unit: Vec::new(),
+            unit_of_entry: Vec::new(),
             accurate: false,
             near: Near::default(),
         }
@@ -112,6 +115,11 @@ impl Solver {
         self.report = None;
         self.unit.clear();
         self.unit.extend_from_slice(wanted);
+        self.unit_of_entry.clear();
+        for (i, &unit) in self.unit.iter().enumerate() {
+            let row = self.pattern.row(i).iter();
+            self.unit_of_entry.extend(row.map(|&column| unit * self.unit[column]));
+        }
     }
 
     /// Tells the system the rigid motions of the unknowns, column after column: it may then solve
@@ -131,13 +139,8 @@ impl Solver {
             self.values.copy_from_slice(values);
             return;
         }
-        for (i, &unit) in self.unit.iter().enumerate() {
-            let range = self.pattern.row_start()[i]..self.pattern.row_start()[i + 1];
-            let own = self.values[range.clone()].iter_mut().zip(&values[range]);
-            for ((own, value), &column) in own.zip(self.pattern.row(i)) {
-                *own = value * (unit * self.unit[column]);
-            }
-        }
+        let scaled = values.iter().zip(&self.unit_of_entry).map(|(value, unit)| value * unit);
+        self.values.iter_mut().zip(scaled).for_each(|(own, value)| *own = value);
     }
 
     /// Factors the matrix with these values; `pattern` must be the analysed one. The result is a

@@ -213,6 +213,12 @@ impl Attachment {
     }
 }
 
+/// Whether the `n` variables of attachments are the dofs, one after the other.
+fn are_copied(attachments: &[Attachment], n: usize) -> bool {
+    let mut each = attachments.iter().enumerate();
+    n == 2 * attachments.len() && each.all(|(own, attachment)| attachment.is_at(2 * own))
+}
+
 /// The most variables a stencil may have in [`push_forward`].
 pub const MOST_VARIABLES: usize = 16;
 
@@ -231,6 +237,13 @@ pub fn push_forward(
     tangent: &mut [f64],
 ) {
     let (n, m) = (gradient.len().min(MOST_VARIABLES), dofs.len());
+    if are_copied(attachments, n) {
+        force.iter_mut().zip(gradient).for_each(|(into, by)| *into += by);
+        for (into, row) in tangent.chunks_exact_mut(m).zip(hessian.chunks_exact(n)) {
+            into.iter_mut().zip(row).for_each(|(into, by)| *into += by);
+        }
+        return;
+    }
     let mut rows: [Row; MOST_VARIABLES] = std::array::from_fn(|_| Row::of([]));
     let mut variable = 0;
     for attachment in attachments {
@@ -264,8 +277,7 @@ pub fn push_gradients(
     (into, width): (&mut [f64], usize),
 ) {
     let values = gradients.iter().flat_map(|list| list.chunks_exact(n));
-    let is_copied = |(own, attachment): (usize, &Attachment)| attachment.is_at(2 * own);
-    if n == 2 * attachments.len() && attachments.iter().enumerate().all(is_copied) {
+    if are_copied(attachments, n) {
         for (into, gradient) in into.chunks_exact_mut(width).zip(values) {
             into.iter_mut().zip(gradient).for_each(|(into, by)| *into += by);
         }

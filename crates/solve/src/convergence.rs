@@ -152,23 +152,28 @@ pub fn largest_nodal(
     let mut largest = [(0.0_f64, None); 2];
     for node in 0..dofs.nodes() {
         let mut square = [0.0; 2];
-        let mut component = [(0.0, None); 2];
         for dof in dofs.named_of_node(node) {
-            let Some(value) = value(dof) else { continue };
-            let field = usize::from(dofs.is_rotation(dof));
-            square[field] += value * value;
-            if value.abs() > component[field].0 || value.is_nan() {
-                component[field] = (value.abs(), Some(dof));
+            if let Some(value) = value(dof) {
+                square[usize::from(dofs.is_rotation(dof))] += value * value;
             }
         }
         for field in 0..2 {
             let (now, most) = (square[field], largest[field].0);
             if now > most || now.is_nan() && !most.is_nan() {
-                largest[field] = (now, component[field].1);
+                largest[field] = (now, Some(node));
             }
         }
     }
-    largest.map(|(square, at)| (square.sqrt(), at))
+    [0, 1].map(|field| {
+        let (square, node) = largest[field];
+        let own = |dof: &usize| usize::from(dofs.is_rotation(*dof)) == field;
+        let of_node = node.into_iter().flat_map(|node| dofs.named_of_node(node)).filter(own);
+        let sizes = of_node.filter_map(|dof| Some((value(dof)?.abs(), Some(dof))));
+        let larger = |largest: (f64, Option<usize>), own: (f64, Option<usize>)| {
+            if own.0 > largest.0 || own.0.is_nan() { own } else { largest }
+        };
+        (square.sqrt(), sizes.fold((0.0, None), larger).1)
+    })
 }
 
 #[cfg(test)]

@@ -118,11 +118,13 @@ impl DofMap {
     }
 
     /// The dofs of a node.
+    #[inline]
     pub fn of_node(&self, node: NodeIndex) -> Range<usize> {
         self.first[node]..self.first[node + 1]
     }
 
     /// The dofs of a node along the axes in which they are named: its own, or those of the model.
+    #[inline]
     pub fn named_of_node(&self, node: NodeIndex) -> Range<usize> {
         if self.turned.is_empty() {
             return self.of_node(node);
@@ -162,11 +164,13 @@ impl DofMap {
     }
 
     /// Node and direction of a dof.
+    #[inline]
     pub fn name(&self, dof: usize) -> (NodeIndex, Dof) {
         self.names[dof]
     }
 
     /// Whether a dof is a rotation.
+    #[inline]
     pub fn is_rotation(&self, dof: usize) -> bool {
         self.names[dof].1.is_rotation()
     }

@@ -1,7 +1,8 @@
 //! Strains and section forces of plane beams.
 
 use super::mixed::arrival;
-use crate::differentiate::{Real, Second};
+use crate::differentiate::Real;
+use crate::first_order::First;
 use crate::section::BeamStiffness;
 
 /// Strains of a plane beam at its integration point.
@@ -91,7 +92,7 @@ impl From<BeamSectionForces> for [f64; 3] {
     }
 }
 
-impl BeamStrains<Second<1>> {
+impl BeamStrains<First<1>> {
     /// eps + B dq of strains along a line of displacements.
     pub(super) fn arrived(&self) -> BeamStrains {
         BeamStrains {

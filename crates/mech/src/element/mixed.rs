@@ -14,7 +14,7 @@
 //! rotations and as stiff as the axis, are never multiplied with it. [derived: docs/theory.md,
 //! "Stresses of their own in the linearisation"]
 
-use crate::differentiate::Second;
+use crate::first_order::First;
 
 /// An element of `N` variables whose tangent takes `S` stresses that are estimated apart.
 pub trait Mixed<const N: usize, const NN: usize, const S: usize> {
@@ -39,12 +39,12 @@ pub trait Mixed<const N: usize, const NN: usize, const S: usize> {
 }
 
 /// The line q + t dq as numbers that carry their derivative by t.
-pub(super) fn line<const N: usize>(q: &[f64; N], change: &[f64; N]) -> [Second<1>; N] {
-    std::array::from_fn(|i| Second { value: q[i], gradient: [change[i]], hessian: [[0.0]] })
+pub(super) fn line<const N: usize>(q: &[f64; N], change: &[f64; N]) -> [First<1>; N] {
+    std::array::from_fn(|i| First { value: q[i], gradient: [change[i]] })
 }
 
 /// Value plus derivative: where the tangent of a curve arrives at t = 1.
-pub(super) fn arrival(number: &Second<1>) -> f64 {
+pub(super) fn arrival(number: &First<1>) -> f64 {
     number.value + number.gradient[0]
 }
 

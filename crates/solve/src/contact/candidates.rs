@@ -17,6 +17,7 @@ use super::mortar_faces::place::FaceRoom;
 use super::pairs::{Carrier, Contact};
 use super::positions::{MasterPositions, distance};
 use crate::state::PointState;
+use slideline_mech::contact::search::outlook::Outlook;
 use std::ops::Range;
 
 /// Couplings of a pair from which on only those near are taken in.
@@ -172,8 +173,9 @@ impl Contact {
         let Carrier::Node { position, dofs } = &point.carrier else { return None };
         let at = dofs.displace(*position, u);
         let own = positions.nodes.get(*offset..offset + nodes.len())?;
-        let outlook = self.outlook(point, u);
-        let piece = master.piece((positions, point.pair), (at, point.seat, &outlook))?;
+        let known = self.outlook(point, u);
+        let outlook = Outlook::of(&known);
+        let piece = master.piece((positions, point.pair), (at, point.seat, outlook))?;
         let part = piece.nodes();
         let distance =
             own[part.clone()].iter().map(|&node| distance(at, node)).fold(f64::MAX, f64::min);

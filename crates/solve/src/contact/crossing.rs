@@ -175,7 +175,8 @@ impl Contact {
                     let positions = (&chains[0].nodes[range.clone()], &chains[1].nodes[range]);
                     let Some(tree) = chains[0].face_tree(pair) else { continue };
                     near_way(tree, (way[0], way[1]), near);
-                    let outlook = self.outlook(point, &u[1]);
+                    let known = self.outlook(point, &u[1]);
+                    let outlook = Outlook::of(&known);
                     let meets = |&face: &usize| outlook.meets(mesh.normal(face, positions.1));
                     let faces = near.iter().copied().filter(meets);
                     cross_faces(mesh, positions, faces, (way[0], way[1]), |crossing| {
@@ -187,8 +188,9 @@ impl Contact {
                 }
                 MasterSurface::Body { surface, .. } => {
                     let bodies = [0, 1].map(|end| self.masters[pair].placed_body(&u[end]));
-                    let outlook = self.outlook(point, &u[1]);
-                    cross_body(surface, bodies, (way, &outlook), |own| {
+                    let known = self.outlook(point, &u[1]);
+                    let outlook = Outlook::of(&known);
+                    cross_body(surface, bodies, (way, outlook), |own| {
                         events.push((place, Event { fraction: share(own.fraction), ..own }));
                     });
                 }

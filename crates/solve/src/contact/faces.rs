@@ -135,8 +135,9 @@ impl Contact {
         let held = before.face(place);
         let before = before.points.get(place);
         let footing = before.and_then(|before| before.footing.as_ref());
-        let outlook = self.outlook(point, u);
-        let facing = self.face_at(point.pair, (at, None, held), &outlook, positions, room);
+        let known = self.outlook(point, u);
+        let outlook = Outlook::of(&known);
+        let facing = self.face_at(point.pair, (at, None, held), outlook, positions, room);
         let found = facing.and_then(|facing| {
             let placed = self.placed_faces(point.pair, positions)?;
             let faces = (placed.mesh, placed.positions);
@@ -220,9 +221,10 @@ impl Contact {
         let point = &self.points[place];
         let Carrier::Node { position, dofs } = &point.carrier else { return };
         let at = dofs.displace(*position, u);
-        let (mut room, outlook) = (FaceRoom::default(), self.outlook(point, u));
+        let (mut room, known) = (FaceRoom::default(), self.outlook(point, u));
+        let outlook = Outlook::of(&known);
         let Some(facing) =
-            self.face_at(point.pair, (at, None, None), &outlook, positions, &mut room)
+            self.face_at(point.pair, (at, None, None), outlook, positions, &mut room)
         else {
             return;
         };

@@ -13,7 +13,7 @@
 use super::kinematics::{ContactKinematics, PointRows};
 use super::master::MasterSurface;
 use super::pairs::{Carrier, Contact};
-use super::positions::distance;
+use super::positions::{distance, square};
 
 /// Room for the turning of what a point faces along its way, as a part of that [1].
 const ROOM: f64 = 1.0;
@@ -127,7 +127,7 @@ impl Contact {
                 };
                 let way = moved(own);
                 let facing = kinematics.rows.unknowns[own.len()..].chunks_exact(own.len());
-                facing.map(|own| distance(way, moved(own))).fold(0.0, f64::max)
+                facing.map(|own| square(way, moved(own))).fold(0.0, f64::max).sqrt()
             }
         };
         let own = kinematics.rows.unknowns.iter().zip(kinematics.rows.normal());

@@ -59,16 +59,17 @@ impl Contact {
         }));
     }
 
-    /// What the faces of a slave node look at; everywhere where they are not known, and where its
-    /// master has no sharp edge.
-    pub(super) fn outlook(&self, point: &SlavePoint, u: &[f64]) -> Outlook {
-        let mut outlook = Outlook::EVERYWHERE;
-        if self.sharp[point.pair] {
+    /// What the faces of a slave node look at; `None`: everywhere, where they are not known, and where
+    /// its master has no sharp edge.
+    #[inline]
+    pub(super) fn outlook(&self, point: &SlavePoint, u: &[f64]) -> Option<Outlook> {
+        (self.sharp[point.pair] && !point.faces.is_empty()).then(|| {
+            let mut outlook = Outlook::EVERYWHERE;
             for &face in &point.faces {
                 let (normal, size) = self.slave_faces[face].stands(u);
                 outlook.add(normal, size);
             }
-        }
-        outlook
+            outlook
+        })
     }
 }

@@ -46,6 +46,11 @@ impl MasterPositions {
 
 /// Distance of two places [L].
 pub(super) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    square(a, b).sqrt()
+}
+
+/// Its square [L2].
+pub(super) fn square(a: [f64; 3], b: [f64; 3]) -> f64 {
     let way = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
-    (way[0] * way[0] + way[1] * way[1] + way[2] * way[2]).sqrt()
+    way[0] * way[0] + way[1] * way[1] + way[2] * way[2]
 }

@@ -8,6 +8,7 @@ use super::segment::SlaveSegment;
 use super::stencil::Stencil;
 use slideline_mech::contact::gap::Linear;
 use slideline_mech::contact::pair::{self, AnyGap, History};
+use slideline_mech::contact::search::outlook::Outlook;
 use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::rigid::{Attachment, PointMap};
 
@@ -49,8 +50,20 @@ impl Contact {
         }
     }
 
-    /// What the point of a stencil faces; the master's part is added to it.
+    /// What a point at `position` faces.
     #[inline]
+    pub(super) fn faced(
+        &self,
+        point: &SlavePoint,
+        position: [f64; 3],
+        (u, positions): (&[f64], &MasterPositions),
+    ) -> Option<Facing> {
+        let known = self.outlook(point, u);
+        let at = (position, point.seat, Outlook::of(&known));
+        self.masters[point.pair].search(u, (positions, point.pair), at)
+    }
+
+    /// What the point of a stencil faces; the master's part is added to it.
     pub(super) fn face(
         &self,
         point: &SlavePoint,
@@ -60,11 +73,9 @@ impl Contact {
         stencil: &mut Stencil<'_>,
     ) -> Option<(AnyGap<Linear>, Facing)> {
         let slave = self.attachment(point, xi);
-        let master = &self.masters[point.pair];
-        let outlook = self.outlook(point, u);
-        let at = (stencil.position, point.seat, &outlook);
-        let facing = master.search(u, (positions, point.pair), at)?;
-        let gap = master.gap(&facing, slave, (u, &positions.nodes), stencil)?;
+        let facing = self.faced(point, stencil.position, (u, positions))?;
+        let at = (u, &positions.nodes[..]);
+        let gap = self.masters[point.pair].gap(&facing, slave, at, stencil)?;
         Some((gap, facing))
     }
 

@@ -153,8 +153,8 @@ impl Contact {
             return;
         }
         let mut into = into.at_mut(place);
-        let stencil = self.slave(point, into.point.xi, u);
-        self.locate_stencil(point, stencil, (u, positions), &mut into);
+        let mut stencil = self.slave(point, into.point.xi, u);
+        self.locate_stencil(point, &mut stencil, (u, positions), &mut into);
         if into.point.faces {
             into.point.allow(self.allowed_at(place));
         }
@@ -163,15 +163,20 @@ impl Contact {
     fn locate_stencil(
         &self,
         point: &SlavePoint,
-        mut stencil: Stencil<'_>,
+        stencil: &mut Stencil<'_>,
         (u, positions): (&[f64], &MasterPositions),
         into: &mut PointRowsMut<'_>,
     ) {
         into.point.position = stencil.position;
-        match self.face(point, into.point.xi, u, positions, &mut stencil) {
-            Some((gap, facing)) => {
+        let slave = self.attachment(point, into.point.xi);
+        let master = &self.masters[point.pair];
+        let Some(facing) = self.faced(point, stencil.position, (u, positions)) else {
+            return into.turn_away_in_place();
+        };
+        match master.gap(&facing, slave, (u, &positions.nodes), stencil) {
+            Some(gap) => {
                 into.point.take(&gap, facing);
-                into.take(&gap, &stencil, u);
+                into.take(&gap, stencil, u);
             }
             None => into.turn_away_in_place(),
         }
@@ -197,8 +202,8 @@ impl Contact {
             let place = segment.first + integration_point;
             let mut into = into.at_mut(place);
             (into.point.xi, into.point.area) = (xi, area);
-            let (point, stencil) = (&self.points[place], segment.stencil(&ends, xi));
-            self.locate_stencil(point, stencil, (u, &none), &mut into);
+            let (point, mut stencil) = (&self.points[place], segment.stencil(&ends, xi));
+            self.locate_stencil(point, &mut stencil, (u, &none), &mut into);
         });
     }
 }

@@ -123,12 +123,16 @@ impl Structure<'_> {
 
     /// Where an element begins that was added free of strain.
     fn reference(&self, element: usize) -> Option<&Reference> {
+        if self.references.is_empty() {
+            return None;
+        }
         let at = self.references.binary_search_by_key(&element, |own| own.element).ok()?;
         self.references.get(at)
     }
 
     /// Reads the variables of an element from displacements and rotations of all dofs, counted
     /// from where it begins.
+    #[inline]
     pub(super) fn read(&self, block: &Block, element: usize, u: &[f64], q: &mut [f64]) {
         q.iter_mut().zip(self.own(block, element)).for_each(|(q, &dof)| *q = u[dof]);
         if let Some(reference) = self.reference(element) {
@@ -142,6 +146,7 @@ impl Structure<'_> {
     }
 
     /// What is around the nodes of an element.
+    #[inline]
     pub(super) fn at_nodes<'n>(
         &self,
         block: &Block,
@@ -150,6 +155,9 @@ impl Structure<'_> {
         into: &'n mut AtNodes,
     ) -> &'n AtNodes {
         (into.heated, into.turning) = (0, 0);
+        if ambient.temperatures.is_empty() && !block.turns_in_space() {
+            return into;
+        }
         let nodes = &self.numbering.nodes[block.nodes(element)];
         let reference = self.reference(element);
         if !ambient.temperatures.is_empty() {

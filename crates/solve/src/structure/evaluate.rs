@@ -286,14 +286,16 @@ pub(super) fn ask(
     Err(answer.err().unwrap_or(Failure::NotFinite))
 }
 
-/// Whether no entry is infinite or no number; eight at a time.
+/// Whether no entry is infinite or no number; four at a time.
+#[inline]
 fn all_finite(list: &[f64]) -> bool {
-    let (chunks, rest) = list.as_chunks::<8>();
-    let mut sums = [0.0; 8];
+    let (chunks, rest) = list.as_chunks::<4>();
+    let mut sums = [0.0; 4];
     for chunk in chunks {
         sums.iter_mut().zip(chunk).for_each(|(sum, entry)| *sum += 0.0 * entry);
     }
-    sums.iter().all(|sum| *sum == 0.0) && rest.iter().all(|entry| entry.is_finite())
+    let sum = rest.iter().fold((sums[0] + sums[1]) + (sums[2] + sums[3]), |a, b| a + 0.0 * b);
+    sum == 0.0
 }
 
 impl Product<'_> {

@@ -26,15 +26,17 @@ impl Structure<'_> {
         }
         let mut nodes = AtNodes::default();
         let (mut q, mut moved) = ([0.0; MOST_VARIABLES], [0.0; MOST_VARIABLES]);
-        for (block, kernel, element) in self.present() {
-            let own = self.own(block, element);
-            let (q, moved) = (&mut q[..own.len()], &mut moved[..own.len()]);
-            self.read(block, element, u, q);
-            moved.iter_mut().zip(own).for_each(|(moved, &dof)| *moved = change[dof]);
-            let into = &mut into[block.stresses(element)];
-            let nodal = self.at_nodes(block, element, ambient, &mut nodes);
-            let under = nodal.under(self.strains(), ambient.clock);
-            kernel.stresses_after(block.number(element), q, moved, &under, into);
+        for (block, kernel) in self.numbering.blocks.iter().zip(self.kernels.iter()) {
+            let (q, moved) = (&mut q[..block.variables], &mut moved[..block.variables]);
+            for element in block.elements.clone().filter(|&element| self.has(element)) {
+                self.read(block, element, u, q);
+                let own = self.own(block, element);
+                moved.iter_mut().zip(own).for_each(|(moved, &dof)| *moved = change[dof]);
+                let into = &mut into[block.stresses(element)];
+                let nodal = self.at_nodes(block, element, ambient, &mut nodes);
+                let under = nodal.under(self.strains(), ambient.clock);
+                kernel.stresses_after(block.number(element), q, moved, &under, into);
+            }
         }
     }
 

@@ -34,6 +34,11 @@ impl Outlook {
     /// That of a node whose faces are not known: it may meet all.
     pub const EVERYWHERE: Self = Self { normals: [[0.0; 3]; MOST], count: 0, sizes: 0.0 };
 
+    /// What is known, or else that everything may be met.
+    pub fn of(known: &Option<Self>) -> &Self {
+        known.as_ref().unwrap_or(&Self::EVERYWHERE)
+    }
+
     /// Adds a face by its normal, of any length, and its size [L].
     pub fn add(&mut self, normal: Vector, own: f64) {
         let length = size(normal);

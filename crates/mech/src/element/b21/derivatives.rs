@@ -3,7 +3,7 @@
 use super::Beam21;
 use crate::element::beam_strains::{BeamSectionForces, BeamStrains};
 use crate::element::kernel::{Element, Scale};
-use crate::element::mixed::{Mixed, estimate, line, tighten};
+use crate::element::mixed::{Mixed, estimate, tighten};
 
 /// Cosine and sine of the angle of the section, mean rotation included.
 pub(in crate::element) struct Frame {
@@ -180,8 +180,15 @@ impl Mixed<6, 36, 3> for Beam21 {
     }
 
     fn stresses_after(&self, q: &[f64; 6], change: &[f64; 6]) -> [f64; 3] {
-        let strains = self.strains_of(&line(q, change));
-        self.forces_of(&strains.arrived()).into()
+        let (strains, frame) = self.strains_and_frame(q);
+        let [axial, shear, curvature] = self.rows(&frame, &strains);
+        let by = |row: [f64; 6]| row.iter().zip(change).map(|(b, dq)| b * dq).sum::<f64>();
+        let arrived = BeamStrains {
+            axial: strains.axial + by(axial),
+            shear: strains.shear + by(shear),
+            curvature: strains.curvature + by(curvature),
+        };
+        self.forces_of(&arrived).into()
     }
 }
 
