@@ -23,6 +23,7 @@ mod expansion;
 mod foam;
 mod graded;
 mod hardening;
+mod hencky;
 pub mod hyperelastic;
 mod law;
 mod limit;

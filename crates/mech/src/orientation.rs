@@ -67,6 +67,7 @@ pub struct Oriented<'a> {
 
 impl Oriented<'_> {
     /// Answers the displacement gradient H, all along the axes of the model.
+    #[inline(always)]
     pub fn respond(
         &self,
         gradient: &Matrix,
@@ -74,11 +75,21 @@ impl Oriented<'_> {
         committed: &[f64],
         state: &mut [f64],
     ) -> Answer {
-        let Some(q) = self.axes else {
-            return self.material.respond(gradient, under, committed, state);
-        };
-        let back = transposed(&q);
-        let own = product(&product(&q, gradient), &back);
+        match self.axes {
+            None => self.material.respond(gradient, under, committed, state),
+            Some(q) => self.respond_along(&q, gradient, under, (committed, state)),
+        }
+    }
+
+    fn respond_along(
+        &self,
+        q: &Axes,
+        gradient: &Matrix,
+        under: &Conditions,
+        (committed, state): (&[f64], &mut [f64]),
+    ) -> Answer {
+        let back = transposed(q);
+        let own = product(&product(q, gradient), &back);
         let answer = self.material.respond(&own, under, committed, state);
         let (stress, moduli) = (carried(&back, &answer.stress), pushed(&back, &answer.moduli));
         Answer { stress, moduli, ..answer }

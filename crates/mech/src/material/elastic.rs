@@ -8,7 +8,6 @@
 //! ```
 
 use super::answer::Answer;
-use super::principal::Axes;
 use super::tensor::{
     Matrix, Moduli, PAIRS, Symmetric, add, add_dyad, add_unit, contract, deformation, left, pushed,
     right, square, trace,
@@ -103,13 +102,6 @@ impl Elastic {
         }
     }
 
-    /// W = G sum eps_a^2 + L/2 (sum eps_a)^2 in logarithmic strains: docs/theory.md eq. (3.35).
-    pub fn hencky(&self, gradient: &Matrix) -> Answer {
-        let axes = Axes::of(&left(gradient));
-        let (stresses, slopes, energy) = self.principal(&axes.logs);
-        axes.answer(&stresses, &slopes, energy)
-    }
-
     /// Principal stresses of principal logarithmic strains, their slopes and the energy.
     pub(super) fn principal(&self, logs: &[f64; 3]) -> ([f64; 3], Matrix, f64) {
         let (lame, twice) = (self.lame(), 2.0 * self.shear_modulus());
@@ -122,6 +114,7 @@ impl Elastic {
     }
 
     /// W = L/2 (tr E)^2 + G E:E in Green's strain: docs/theory.md eq. (3.36).
+    #[inline(always)]
     pub fn green(&self, gradient: &Matrix) -> Answer {
         let strain = right(gradient).map(|entry| 0.5 * entry);
         let (lame, shear) = (self.lame(), self.shear_modulus());
@@ -141,6 +134,7 @@ impl Elastic {
 }
 
 /// Adds `factor` (b_ik b_jl + b_il b_jk)/2.
+#[inline(always)]
 pub(super) fn add_turned(moduli: &mut Moduli, factor: f64, b: &Symmetric) {
     let b = super::tensor::full(b);
     for (row, [i, j]) in moduli.iter_mut().zip(PAIRS) {

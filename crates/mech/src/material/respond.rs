@@ -71,7 +71,9 @@ impl Material {
         }
     }
 
-    /// Answers the displacement gradient H, linearised or not.
+    /// Answers the displacement gradient H, linearised or not. Isotropic elasticity is told where it
+    /// is asked, in the vectors of who asks.
+    #[inline(always)]
     pub fn respond(
         &self,
         gradient: &Matrix,
@@ -80,9 +82,20 @@ impl Material {
         state: &mut [f64],
     ) -> Answer {
         match (self, under.large) {
-            (Self::Elastic(elastic, _), false) => elastic.small(&symmetric(gradient)),
             (Self::Elastic(elastic, LargeStrain::Logarithmic), true) => elastic.hencky(gradient),
             (Self::Elastic(elastic, LargeStrain::Green), true) => elastic.green(gradient),
+            _ => self.respond_otherwise(gradient, under, (committed, state)),
+        }
+    }
+
+    fn respond_otherwise(
+        &self,
+        gradient: &Matrix,
+        under: &Conditions,
+        (committed, state): (&[f64], &mut [f64]),
+    ) -> Answer {
+        match (self, under.large) {
+            (Self::Elastic(elastic, _), _) => elastic.small(&symmetric(gradient)),
             (Self::Anisotropic(elastic), false) => elastic.small(&symmetric(gradient)),
             (Self::Anisotropic(elastic), true) => elastic.green(gradient),
             (Self::Rubber(rubber), false) => rubber.small().small(&symmetric(gradient)),

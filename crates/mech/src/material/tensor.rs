@@ -36,26 +36,31 @@ pub fn symmetric(h: &Matrix) -> Symmetric {
 }
 
 /// b - 1 = H + H' + H H'.
+#[inline(always)]
 pub fn left(h: &Matrix) -> Symmetric {
     from_fn(|i, j| h[i][j] + h[j][i] + (h[i][0] * h[j][0] + h[i][1] * h[j][1] + h[i][2] * h[j][2]))
 }
 
 /// C - 1 = H + H' + H' H, twice Green's strain.
+#[inline(always)]
 pub fn right(h: &Matrix) -> Symmetric {
     from_fn(|i, j| h[i][j] + h[j][i] + (h[0][i] * h[0][j] + h[1][i] * h[1][j] + h[2][i] * h[2][j]))
 }
 
 /// J - 1 = det(1 + H) - 1.
+#[inline(always)]
 pub fn dilation(h: &Matrix) -> f64 {
     let minor = |i: usize, j: usize| h[i][i] * h[j][j] - h[i][j] * h[j][i];
     trace_of(h) + (minor(0, 1) + minor(0, 2) + minor(1, 2)) + determinant(h)
 }
 
+#[inline(always)]
 fn trace_of(h: &Matrix) -> f64 {
     h[0][0] + h[1][1] + h[2][2]
 }
 
 /// The determinant.
+#[inline(always)]
 pub fn determinant(h: &Matrix) -> f64 {
     h[0][0] * (h[1][1] * h[2][2] - h[1][2] * h[2][1])
         - h[0][1] * (h[1][0] * h[2][2] - h[1][2] * h[2][0])
@@ -109,12 +114,14 @@ pub fn pushed(f: &Matrix, moduli: &Moduli) -> Moduli {
 }
 
 /// All nine components.
+#[inline(always)]
 pub fn full(a: &Symmetric) -> Matrix {
     let [xx, yy, zz, xy, xz, yz] = *a;
     [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
 }
 
 /// a b + b a over 2, for a = b the square.
+#[inline(always)]
 pub fn square(a: &Symmetric) -> Symmetric {
     let m = full(a);
     from_fn(|i, j| m[i][0] * m[0][j] + m[i][1] * m[1][j] + m[i][2] * m[2][j])
@@ -127,6 +134,7 @@ pub fn trace(a: &Symmetric) -> f64 {
 }
 
 /// a : b.
+#[inline(always)]
 pub fn contract(a: &Symmetric, b: &Symmetric) -> f64 {
     (0..6).map(|k| COUNTS[k] * a[k] * b[k]).sum()
 }
@@ -144,11 +152,13 @@ pub fn mises(stress: &Symmetric) -> f64 {
 }
 
 /// Entry by entry, a + factor b.
+#[inline(always)]
 pub fn add(a: &Symmetric, factor: f64, b: &Symmetric) -> Symmetric {
     std::array::from_fn(|k| a[k] + factor * b[k])
 }
 
 /// Adds `factor` a a to a tensor of fourth order.
+#[inline(always)]
 pub fn add_dyad(moduli: &mut Moduli, factor: f64, a: &Symmetric) {
     for (row, a_i) in moduli.iter_mut().zip(a) {
         row.iter_mut().zip(a).for_each(|(entry, a_j)| *entry += factor * a_i * a_j);

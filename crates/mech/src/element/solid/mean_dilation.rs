@@ -38,7 +38,7 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         for (k, point) in points.iter_mut().enumerate() {
             let mut gradient = with_dilation(&gradients[k], [point.dilation, mean], large);
             let answer =
-                self.ask(&mut gradient, (k, &places[k], under), (committed, &mut *state))?;
+                self.ask(&mut gradient, ([element, k], under), (committed, &mut *state))?;
             point.take(&answer, large);
         }
         let grown = if large { 1.0 + mean } else { 1.0 };

@@ -5,6 +5,7 @@ use crate::axes::Axes;
 use crate::element::cell::Cell;
 use crate::element::quadrature::Quadrature;
 use crate::material::tensor::Matrix;
+use crate::orientation::Orientation;
 
 /// Strain that no digit of a deformation knows of: the square of its rounding [1]. Where an element
 /// is carried along without strain, what is solved for in it goes to nothing, and this is all that
@@ -72,8 +73,6 @@ pub(super) struct Place<const D: usize, const N: usize> {
     pub slopes: [[f64; N]; D],
     /// Undeformed distance from the axis; of no meaning but for rings [L].
     pub radius: f64,
-    /// Axes of the material; `None`: those of the model.
-    pub axes: Option<Axes>,
 }
 
 /// Displacements of the nodes less those of the first one, axis by axis [L].
@@ -133,8 +132,7 @@ impl<const D: usize, const N: usize> Place<D, N> {
                 (2.0 * std::f64::consts::PI * radius, radius)
             }
         };
-        let axes = axes(nodes, &at.shapes, recipe);
-        (Self { weight: content * across, content, slopes, radius, axes }, inverse)
+        (Self { weight: content * across, content, slopes, radius }, inverse)
     }
 
     /// A point that stands for the whole element, with the means of the gradients at `fine`;
@@ -142,8 +140,6 @@ impl<const D: usize, const N: usize> Place<D, N> {
     pub fn mean(nodes: &[[f64; D]; N], fine: &[Reference<D, N>], recipe: &Recipe) -> Option<Self> {
         let places = || fine.iter().map(|at| Self::new(nodes, at, recipe).0);
         let mut mean = places().next()?;
-        let centre = |a: usize| fine.iter().map(|at| at.shapes[a]).sum::<f64>() / fine.len() as f64;
-        mean.axes = axes(nodes, &std::array::from_fn(centre), recipe);
         mean.weight = places().map(|place| place.weight).sum();
         mean.content = places().map(|place| place.content).sum();
         mean.radius = mean.weight / (2.0 * std::f64::consts::PI * mean.content);
@@ -186,17 +182,24 @@ pub(super) fn mean_shapes<const D: usize, const N: usize>(
     mean
 }
 
-/// Axes of the material at a point with those shape functions.
-fn axes<const D: usize, const N: usize>(
+/// Axes of the material at the points of an element, where it has any of its own.
+pub(super) fn axes<const D: usize, const N: usize, const P: usize>(
     nodes: &[[f64; D]; N],
-    shapes: &[f64; N],
-    recipe: &Recipe,
-) -> Option<Axes> {
-    let orientation = recipe.orientation?;
-    let point = std::array::from_fn(|k| {
-        nodes.iter().zip(shapes).map(|(node, shape)| shape * node[k]).sum()
-    });
-    Some(orientation.at(nodes, point))
+    tables: &Tables<D, N, P>,
+    orientation: &Orientation,
+) -> [Axes; P] {
+    let at = |shapes: &[f64; N]| {
+        let point = std::array::from_fn(|k| {
+            nodes.iter().zip(shapes).map(|(node, shape)| shape * node[k]).sum()
+        });
+        orientation.at(nodes, point)
+    };
+    if tables.fine.is_empty() {
+        return std::array::from_fn(|point| at(&tables.points[point].shapes));
+    }
+    let fine = &tables.fine;
+    let mean = |a: usize| fine.iter().map(|at| at.shapes[a]).sum::<f64>() / fine.len() as f64;
+    [at(&std::array::from_fn(mean)); P]
 }
 
 /// Sum of products, four sums at a time.

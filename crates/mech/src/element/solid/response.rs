@@ -48,14 +48,15 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
     pub(super) fn ask(
         &self,
         gradient: &mut Matrix,
-        (point, place, under): (usize, &Place<D, N>, &Surroundings<'_>),
+        ([element, point], under): ([usize; 2], &Surroundings<'_>),
         (committed, state): (&[f64], &mut [f64]),
     ) -> Result<Answer, Failure> {
         let width = self.point_states();
         let committed = self.of_point(committed, point);
         let state = state.get_mut(width * point..width * (point + 1)).unwrap_or_default();
         let under = &self.conditions(point, under);
-        let material = Oriented { material: &self.recipe.material, axes: place.axes };
+        let material =
+            Oriented { material: &self.recipe.material, axes: self.axes([element, point]) };
         if self.recipe.kinematics == Kinematics::PlaneStress {
             plane_stress::ask(&material, gradient, under, (committed, state))
                 .ok_or(Failure::NoThickness(point))
@@ -117,7 +118,7 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
     ) -> Result<(), Failure> {
         let large = under.is_large();
         self.deform([element, point], (place, gradient), large, into)?;
-        let answer = self.ask(&mut into.gradient, (point, place, under), (committed, state))?;
+        let answer = self.ask(&mut into.gradient, ([element, point], under), (committed, state))?;
         if self.recipe.kinematics == Kinematics::PlaneStress {
             into.note_dilation(large);
         }

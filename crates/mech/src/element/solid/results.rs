@@ -76,9 +76,8 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
             let volume = if large { 1.0 + point.dilation } else { 1.0 };
             let mut stress = point.stress.map(|stress| stress / volume);
             let mut strain = self.recipe.told.strain(&point.gradient, large);
-            if let Some(axes) =
-                self.places[element][k].axes.filter(|_| self.recipe.told == Told::Logarithmic)
-            {
+            let axes = self.axes([element, k]);
+            if let Some(axes) = axes.filter(|_| self.recipe.told == Told::Logarithmic) {
                 let turned = if large { taken_along(&axes, &point.gradient) } else { axes };
                 stress = orientation::along(&turned, &stress);
                 strain = angles_along(&turned, &strain);

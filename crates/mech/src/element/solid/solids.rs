@@ -4,6 +4,7 @@ use super::centre::Centre;
 use super::heat;
 use super::place::{self, Place, Tables};
 use super::recipe::{Formulation, Kinematics, Recipe};
+use crate::axes::Axes;
 use crate::element::quadrature::{HEX_8, QUAD_4};
 
 /// The solids of a block.
@@ -18,6 +19,8 @@ pub struct Solids<const D: usize, const N: usize, const P: usize> {
     pub(super) elements: Vec<[[f64; D]; N]>,
     /// Their points before any displacement.
     pub(super) places: Vec<[Place<D, N>; P]>,
+    /// Axes of the material at their points; none where they are those of the model.
+    pub(super) axes: Vec<[Axes; P]>,
     /// Their centres, where they have incompatible modes.
     pub(super) centres: Vec<Centre<D, N>>,
 }
@@ -53,12 +56,21 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         let centres = elements.iter().filter(|_| with_modes);
         let centres = centres.map(|nodes| Centre::new(nodes, &tables.centre, &recipe)).collect();
         let heat = Box::new(heat::counts::<D, N, P>(&recipe));
-        Some(Self { recipe, tables, heat, means, elements, places, centres })
+        let axes = recipe.orientation.iter().flat_map(|orientation| {
+            elements.iter().map(|nodes| place::axes(nodes, &tables, orientation))
+        });
+        let axes = axes.collect();
+        Some(Self { recipe, tables, heat, means, elements, places, axes, centres })
     }
 
     /// Whether they go all round an axis.
     pub(super) fn is_ring(&self) -> bool {
         self.recipe.kinematics == Kinematics::Axisymmetric
+    }
+
+    /// Axes of the material at a point; `None`: those of the model.
+    pub(super) fn axes(&self, [element, point]: [usize; 2]) -> Option<Axes> {
+        self.axes.get(element).map(|own| own[point])
     }
 
     /// Number of state variables of a point.
