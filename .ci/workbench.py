@@ -211,6 +211,12 @@ def editing(browser, pictures):
     browser.until("!document.getElementById('page').hidden")
     assert "MATERIAL" in browser.evaluate("document.getElementById('page').textContent").upper()
     browser.picture(pictures / "deck.png")
+    # a resting pointer explains the keyword under it
+    browser.click("#page-close")
+    browser.evaluate("document.getElementById('text').scrollTop = 0")
+    x, y, width, height = browser.place("#text")
+    browser.mouse("mouseMoved", x + 40, y + 14)
+    browser.until(f"document.getElementById('page-title').textContent === {text.splitlines()[0].lstrip('*')!r}")
     # a value that is edited moves its slider
     place = text.index("thickness = ") + len("thickness = ")
     browser.evaluate(f"(() => {{ const a = document.getElementById('text'); a.focus(); a.setSelectionRange({place}, {place + 3}); }})()")

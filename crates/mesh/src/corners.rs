@@ -8,6 +8,17 @@ pub(crate) fn is_known(dimension: usize, nodes: usize) -> bool {
     )
 }
 
+/// How many nodes of a cell an element here has, the first ones: quadratic cells may have nodes in
+/// the middle of faces and volumes, and the edges of what is left are the same curves.
+pub(crate) fn kept(dimension: usize, nodes: usize) -> usize {
+    match (dimension, nodes) {
+        (2, 9) => 8,
+        (3, 18) => 15,
+        (3, 27) => 20,
+        _ => nodes,
+    }
+}
+
 /// The corners of a line or an area, by their numbers, ascending: what a face of an element and a
 /// cell on it have in common.
 pub(crate) fn corners(dimension: usize, nodes: &[u64]) -> Vec<u64> {

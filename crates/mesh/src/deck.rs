@@ -2,8 +2,9 @@
 
 use crate::corners::corners;
 use crate::mesh::{Group, Mesh};
+use crate::names::{clean, free};
 use crate::parts::{Part, Parts};
-use crate::wishes::{Asked, Wishes, clean};
+use crate::wishes::{Asked, Wishes};
 use slideline_diag::Diagnostic;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fmt::Write as _;
@@ -208,6 +209,12 @@ impl Writing<'_> {
         }
     }
 
+    /// The set of the reference node of a rigid group.
+    fn reference(&self, name: &str) -> String {
+        let mut taken = self.mesh.groups.iter().map(|own| clean(&own.name)).collect();
+        free(&format!("{name}_REF"), &mut taken)
+    }
+
     /// A reference node in the middle of each rigid group, behind all nodes.
     fn rigid_bodies(&mut self) {
         let rigid = self.mesh.groups.iter().zip(&self.asked.rigid).filter(|(_, own)| **own);
@@ -215,7 +222,7 @@ impl Writing<'_> {
         for (group, node) in rigid.into_iter().zip(self.first_free()..) {
             let name = clean(&group.name);
             let [x, y, z] = self.middle(group);
-            line!(self.text, "*NODE, NSET={name}_REF");
+            line!(self.text, "*NODE, NSET={}", self.reference(&name));
             match self.parts.in_plane {
                 true => line!(self.text, "{node}, {x:?}, {y:?}"),
                 false => line!(self.text, "{node}, {x:?}, {y:?}, {z:?}"),
@@ -262,12 +269,13 @@ impl Writing<'_> {
         line!(self.text, "**\n*STEP, NLGEOM, INC=1000\n*STATIC\n0.1, 1.0\n*BOUNDARY");
         for (place, group) in self.mesh.groups.iter().enumerate() {
             let name = clean(&group.name);
+            let reference = self.reference(&name);
             match (self.asked.rigid[place], self.asked.fixed[place]) {
-                (true, true) => line!(self.text, "{name}_REF, 1, 6"),
+                (true, true) => line!(self.text, "{reference}, 1, 6"),
                 (false, true) => line!(self.text, "{name}, 1, {}", self.last_dof(place)),
                 (true, false) => {
-                    line!(self.text, "** {name}_REF moves the rigid body {name}, for instance:");
-                    line!(self.text, "** {name}_REF, 2, 2, -1.0");
+                    line!(self.text, "** {reference} moves the rigid body {name}, for instance:");
+                    line!(self.text, "** {reference}, 2, 2, -1.0");
                 }
                 (false, false) => {}
             }

@@ -11,8 +11,8 @@ pub(crate) fn unreadable(message: impl Into<String>, at: Option<Span>) -> Box<Di
 
 /// SL0833: a cell that no element here has.
 pub(crate) fn no_element(message: impl Into<String>, at: Option<Span>) -> Box<Diagnostic> {
-    let help = "In gmsh set Mesh.ElementOrder to 1 or 2 and Mesh.SecondOrderIncomplete to 1, and \
-                mesh volumes with tetrahedra, wedges or bricks.";
+    let help = "In gmsh set Mesh.ElementOrder to 1 or 2, and mesh volumes with tetrahedra, wedges \
+                or bricks.";
     Box::new(Diagnostic::error(Code("SL0833"), message).at(at).help(help))
 }
 

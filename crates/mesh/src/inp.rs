@@ -2,9 +2,10 @@
 //! FreeCAD, PrePoMax and Netgen. A type names no more than a cell: gmsh calls all lines trusses and
 //! all areas plane stress, meshio bricks C3D8RH; what they are is said by the wishes.
 
-use crate::corners::is_known;
+use crate::corners::{is_known, kept};
 use crate::fault::{no_element, unreadable};
 use crate::mesh::{Cell, Group, Mesh};
+use crate::names::distinguish;
 use crate::shapes::{faces, shape};
 use slideline_deck::{Card, DataLine, MAX_VALUES, NoFiles, parse};
 use slideline_diag::{Diagnostic, Severity, Sources, Span};
@@ -76,6 +77,7 @@ pub(crate) fn read(sources: &mut Sources, name: &str, bytes: &[u8]) -> Fallible<
         let dimensions = group.cells.iter().map(|&cell| mesh.cells[cell].dimension);
         group.dimension = dimensions.max().unwrap_or_default();
     }
+    distinguish(&mut groups);
     mesh.groups = groups;
     Ok(mesh)
 }
@@ -233,7 +235,7 @@ fn elements(
         let message = format!("elements of type {kind} have no counterpart here");
         return Err(no_element(message, Some(card.span)));
     };
-    if !is_known(dimension, count) {
+    if !is_known(dimension, kept(dimension, count)) {
         let message = format!("elements of type {kind} are no part of a mesh");
         return Err(no_element(message, Some(card.span)));
     }
@@ -247,7 +249,7 @@ fn elements(
         .concat();
     for chunk in numbers.chunks(count + 1) {
         let (label, span) = chunk[0];
-        let nodes: Vec<u64> = chunk[1..].iter().map(|(node, _)| *node).collect();
+        let mut nodes: Vec<u64> = chunk[1..].iter().map(|(node, _)| *node).collect();
         if nodes.len() < count {
             return Err(unreadable(
                 format!("element {label} should have {count} nodes"),
@@ -258,6 +260,7 @@ fn elements(
             let message = format!("element {label} has node {node}, which is not in the mesh");
             return Err(unreadable(message, Some(span)));
         }
+        nodes.truncate(kept(dimension, count));
         places.insert(label, mesh.cells.len());
         blocks.named(&name).cells.push(mesh.cells.len());
         mesh.cells.push(Cell { label, dimension, nodes, span });

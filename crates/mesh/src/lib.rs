@@ -16,6 +16,7 @@ mod inp;
 mod lines;
 mod mesh;
 mod msh;
+mod names;
 mod parts;
 mod shapes;
 mod wishes;

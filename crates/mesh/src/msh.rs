@@ -11,6 +11,7 @@ use crate::corners::is_known;
 use crate::fault::{no_element, unreadable};
 use crate::lines::{Line, Lines};
 use crate::mesh::{Cell, Group, Mesh};
+use crate::names::distinguish;
 use slideline_diag::{Diagnostic, Sources, Span};
 use std::collections::{BTreeMap, HashMap};
 
@@ -19,27 +20,38 @@ type Fallible<T> = Result<T, Box<Diagnostic>>;
 /// Dimension and number of a group or an entity.
 type Key = (usize, u64);
 
-/// Dimension, number of nodes, and the place in gmsh's order of each node in that of Abaqus.
-type Kind = (usize, &'static [usize]);
+/// Dimension, number of nodes, and the place in gmsh's order of each node that is kept, in the order
+/// of Abaqus.
+type Kind = (usize, usize, &'static [usize]);
+
+const BRICK: &[usize] = &[0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 13, 9, 16, 18, 19, 17, 10, 12, 14, 15];
+const WEDGE: &[usize] = &[0, 1, 2, 3, 4, 5, 6, 9, 7, 12, 14, 13, 8, 10, 11];
 
 /// The element types of gmsh that elements here can be made of. [same, section 9.2]
 fn kind(number: u64) -> Option<Kind> {
-    Some(match number {
+    let all: (usize, &'static [usize]) = match number {
         15 => (0, &[0]),
         1 => (1, &[0, 1]),
         8 => (1, &[0, 2, 1]),
         2 => (2, &[0, 1, 2]),
         3 => (2, &[0, 1, 2, 3]),
         9 => (2, &[0, 1, 2, 3, 4, 5]),
-        16 => (2, &[0, 1, 2, 3, 4, 5, 6, 7]),
+        10 | 16 => (2, &[0, 1, 2, 3, 4, 5, 6, 7]),
         4 => (3, &[0, 1, 2, 3]),
         5 => (3, &[0, 1, 2, 3, 4, 5, 6, 7]),
         6 => (3, &[0, 1, 2, 3, 4, 5]),
         11 => (3, &[0, 1, 2, 3, 4, 5, 6, 7, 9, 8]),
-        17 => (3, &[0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 13, 9, 16, 18, 19, 17, 10, 12, 14, 15]),
-        18 => (3, &[0, 1, 2, 3, 4, 5, 6, 9, 7, 12, 14, 13, 8, 10, 11]),
+        12 | 17 => (3, BRICK),
+        13 | 18 => (3, WEDGE),
         _ => return None,
-    })
+    };
+    let count = match number {
+        10 => 9,
+        12 => 27,
+        13 => 18,
+        _ => all.1.len(),
+    };
+    Some((all.0, count, all.1))
 }
 
 /// What is known while a file is read.
@@ -220,13 +232,13 @@ impl Reading {
         groups: &[u64],
         span: Span,
     ) -> Fallible<()> {
-        let Some((dimension, order)) = kind(gmsh) else {
+        let Some((dimension, count, order)) = kind(gmsh) else {
             let message =
                 format!("element {label} is of gmsh's type {gmsh}, which no element here has");
             return Err(no_element(message, Some(span)));
         };
-        if nodes.len() < order.len() || !is_known(dimension, order.len()) {
-            let message = format!("element {label} should have {} nodes", order.len());
+        if nodes.len() < count || !is_known(dimension, order.len()) {
+            let message = format!("element {label} should have {count} nodes");
             return Err(unreadable(message, Some(span)));
         }
         let nodes: Vec<u64> = order.iter().map(|&place| nodes[place]).collect();
@@ -254,6 +266,7 @@ impl Reading {
             let name = name.unwrap_or_else(|| format!("GROUP_{dimension}_{tag}"));
             self.mesh.groups.push(Group { name, dimension, cells, nodes: Vec::new() });
         }
+        distinguish(&mut self.mesh.groups);
         Ok(self.mesh)
     }
 }

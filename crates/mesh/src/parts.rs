@@ -9,7 +9,8 @@
 use crate::corners::{corner_count, reversed};
 use crate::fault::{misfit, no_element};
 use crate::mesh::{Cell, Mesh};
-use crate::wishes::{Asked, clean};
+use crate::names::{clean, free};
+use crate::wishes::Asked;
 use slideline_diag::Diagnostic;
 use slideline_model::{ElementType, element_type};
 
@@ -38,11 +39,12 @@ impl Parts {
         let dimension = mesh.cells.iter().map(|cell| cell.dimension).max().unwrap_or_default();
         let mut parts = Self { parts: Vec::new(), dimension, in_plane: false };
         let set_of = sets(mesh, asked, dimension);
+        let rest = free(REST, &mut mesh.groups.iter().map(|own| clean(&own.name)).collect());
         for (cell, set) in mesh.cells.iter().zip(&set_of) {
             if cell.dimension == dimension && dimension > 1
                 || set.is_some_and(|g| is_beam(asked, g))
             {
-                parts.take(mesh, asked, cell, *set)?;
+                parts.take(mesh, asked, cell, (*set, &rest))?;
             }
         }
         if parts.parts.is_empty() {
@@ -63,9 +65,9 @@ impl Parts {
         mesh: &Mesh,
         asked: &Asked,
         cell: &Cell,
-        set: Option<usize>,
+        (set, rest): (Option<usize>, &str),
     ) -> Result<(), Box<Diagnostic>> {
-        let name = set.map_or(REST, |place| &mesh.groups[place].name);
+        let name = set.map_or(rest, |place| &mesh.groups[place].name);
         let kind = kind(cell, name, set.and_then(|place| asked.kinds[place].as_ref()))?;
         let set = clean(name);
         let element = (cell.label, cell.nodes.clone());

@@ -2,6 +2,7 @@
 
 use crate::fault::misfit;
 use crate::mesh::{Group, Mesh};
+use crate::names::clean;
 use slideline_diag::{Code, Diagnostic};
 
 /// What is asked for, by the names of groups.
@@ -17,16 +18,6 @@ pub struct Wishes {
     pub node_sets: Vec<String>,
     /// Groups that are held.
     pub fixed: Vec<String>,
-}
-
-/// A name that decks may have: letters, digits, `_` and `-`, a letter first; capitals.
-pub(crate) fn clean(name: &str) -> String {
-    let plain = |c: char| if c.is_ascii_alphanumeric() || c == '-' { c } else { '_' };
-    let name: String = name.trim().chars().map(plain).collect::<String>().to_ascii_uppercase();
-    match name.starts_with(|c: char| c.is_ascii_alphabetic()) {
-        true => name,
-        false => format!("G_{name}"),
-    }
 }
 
 /// The place of the group that a wish names.
@@ -85,17 +76,5 @@ impl Asked {
         let (rigid, node_set) = (marked(&wishes.rigid), marked(&wishes.node_sets));
         let fixed = marked(&wishes.fixed);
         if said.is_empty() { Ok(Self { kinds, rigid, node_set, fixed }) } else { Err(said) }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names_are_those_of_decks() {
-        for (name, cleaned) in [("left side", "LEFT_SIDE"), ("2nd", "G_2ND"), (" a-b ", "A-B")] {
-            assert_eq!(clean(name), cleaned);
-        }
     }
 }

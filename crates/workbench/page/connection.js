@@ -76,10 +76,13 @@
     before.forEach(([id, answer]) => answer({ say: "overtaken", id }));
   };
 
+  // The module stands in the page as gzip in base64.
   function worker() {
-    const element = W.by("module"), code = bytes(element.textContent.trim());
+    if (!window.DecompressionStream) { lost("This browser is too old for the solver inside this page. Browsers of 2023 and later have what it needs."); return; }
+    const element = W.by("module"), packed = new Blob([bytes(element.textContent.trim())]);
     element.textContent = "";
-    WebAssembly.compile(code).then((made) => {
+    const code = new Response(packed.stream().pipeThrough(new DecompressionStream("gzip")), { headers: { "Content-Type": "application/wasm" } });
+    WebAssembly.compileStreaming(code).then((made) => {
       module = made;
       spawn(() => W.tell("connected"));
     }).catch((error) => lost("The solver inside this page does not start: " + error));

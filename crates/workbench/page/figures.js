@@ -28,10 +28,12 @@
     else if (W.stopped) { title = "Stopped"; lines = ["The curve is not whole. Move a slider to solve again."]; }
     else if (W.refusal) { title = "Not solved"; lines = [W.refusal]; }
     else if (current) {
-      const own = end.verdict || {}, reasons = (own.reasons || []).map((one) => typeof one === "string" ? [one, colour(end)] : [one.text, one.colour]);
+      const own = end.verdict || {}, reasons = (own.reasons || []).map((one) => typeof one === "string" ? [one, colour(end)] : [one.text, one.colour]).flatMap((one) => spelt(one, end));
       title = own.headline || TITLES[colour(end)];
       if (end.status !== "completed" && !/red/i.test(title)) title = TITLES.red;
-      lines = reasons.concat((own.lines || []).map((line) => [line, ""]));
+      // why it stopped is said once, with what can be done
+      const because = end.diagnosis && end.diagnosis.message ? " because " + end.diagnosis.message : null;
+      lines = reasons.concat((own.lines || []).map((line) => [because ? line.replace(because, "") : line, ""]));
       if (end.status !== "completed") lines = [[STATUS[end.status] || end.status, "red"]].concat(end.diagnosis ? [[text(end.diagnosis), "red"]] : [], lines);
     }
     lines = lines && lines.map((one) => typeof one === "string" ? [one, ""] : one);
@@ -47,9 +49,26 @@
       list.textContent = "";
       more.textContent = "";
       const most = lines.filter(([, own]) => own).length + 1;
-      lines.forEach(([line, own], k) => make(k < most ? list : more, "li", own ? { class: own } : {}, line));
+      lines.forEach(([line, own], k) => written(k < most ? list : more, line, own));
       W.by("verdict-more").hidden = lines.length <= most;
     }
+  }
+
+  // A reason that only names codes says what these are about.
+  function spelt([line, own], end) {
+    if (!/^warnings?: /.test(line)) return [[line, own]];
+    const told = (line.match(/SL\d{4}/g) || []).map((code) => (end.said || []).find((one) => one.code === code));
+    return told.every(Boolean) ? told.map((one) => [one.code + ": " + one.message, own]) : [[line, own]];
+  }
+
+  // A line of the verdict; its codes open their pages beside the deck.
+  function written(list, line, own) {
+    const item = make(list, "li", own ? { class: own } : {});
+    line.split(/(SL\d{4})/).forEach((part, k) => {
+      if (k % 2 === 0) { item.appendChild(document.createTextNode(part)); return; }
+      const page = make(item, "button", { type: "button", class: "link", title: "What " + part + " means" }, part);
+      page.addEventListener("click", () => { W.open_tab("deck"); W.explain(part); });
+    });
   }
 
   // A sentence each: what is wrong, and what can be done.

@@ -37,7 +37,7 @@ impl Opened {
         let (mut sliders, mut places) = declared(&own.deck, &limits);
         let mut parametric = own.model.as_ref().and_then(|_| Parametric::of(&own).ok());
         if sliders.is_empty() && parametric.is_some() {
-            let found = found(&own.deck, &limits);
+            let found = found(&own, &limits);
             let named = Parametric::of(&Read { deck: found.deck, ..own.clone() }).ok();
             let named = named.filter(|own| !found.sliders.is_empty() && own.model(&[]).is_ok());
             if named.is_some() {

@@ -11,12 +11,15 @@
 //! A number is put in as it was, so that the model has the same bits. The cards are changed, not the
 //! text: every place stays where it was.
 
+use crate::found_bodies::{Body, bodies};
 use crate::found_surfaces::surface;
 use crate::places::{Place, Places};
 use crate::search::{Search, parameter};
 use crate::slider::{Range, Slider};
+use crate::values::Values;
 use slideline::deck::{Card, DataLine, Deck, Field, Word};
 use slideline::diag::{FileId, Span};
+use slideline::{Parametric, Read};
 use std::collections::HashMap;
 
 /// What was found in a deck.
@@ -30,7 +33,8 @@ pub(crate) struct Found {
 }
 
 /// Looks for numbers.
-pub(crate) fn found(deck: &Deck, ranges: &[Range]) -> Found {
+pub(crate) fn found(read: &Read, ranges: &[Range]) -> Found {
+    let deck = &read.deck;
     let Some(file) = deck.files.first().map(|own| own.file) else {
         let (sliders, places) = Default::default();
         return Found { deck: deck.clone(), sliders, places };
@@ -41,13 +45,29 @@ pub(crate) fn found(deck: &Deck, ranges: &[Range]) -> Found {
         if card.keyword.name == "MATERIAL" {
             material = parameter(card, "NAME");
         }
-        read(&mut search, card, &material);
+        look_at(&mut search, card, &material);
+    }
+    for body in bodies(read).iter().filter(|own| stands_alone(own, read, file)) {
+        body.search(&mut search);
     }
     let (sliders, places) = search.ended(ranges);
     Found { deck: named(deck, file, &places.list), sliders, places }
 }
 
-fn read(search: &mut Search, card: &Card, material: &str) {
+/// Whether the numbers that were found for a body move all of it, and nothing else.
+fn stands_alone(body: &Body, read: &Read, file: FileId) -> bool {
+    let mut search = Search::of(file);
+    body.search(&mut search);
+    let (sliders, places) = search.ended(&[]);
+    let deck = named(&read.deck, file, &places.list);
+    let Ok(parametric) = Parametric::of(&Read { deck, ..read.clone() }) else { return false };
+    let model =
+        |by: f64| parametric.model(&places.settings(&sliders, &Values(vec![by])).ok()?).ok();
+    let by = body.trial();
+    model(0.0).zip(model(by)).is_some_and(|(old, new)| body.is_moved_alone(by, [&old, &new]))
+}
+
+fn look_at(search: &mut Search, card: &Card, material: &str) {
     let of = |name: &str| parameter(card, name);
     let segments = of("TYPE") == "SEGMENTS";
     match card.keyword.name.as_str() {

@@ -9,8 +9,6 @@ use slideline::deck::{Card, DataLine, Field, normalise, parse_number};
 const ANGLE: &str = "angle";
 const FILLET: (&str, &str) = ("fillet", "corners");
 const RADIUS: (&str, &str) = ("radius", "arc");
-const SHIFTS: [(&str, &str); 3] =
-    [("shift_x", "along x,"), ("shift_y", "along y,"), ("shift_z", "along z,")];
 /// Ends of the slider of an angle, to both sides of the deck's [degrees].
 const TURN: f64 = 15.0;
 
@@ -92,31 +90,29 @@ fn number(handle: &Handle, owner: &str, profile: &Profile) -> Number {
         }
         Kind::Fillet => Number::new(FILLET, owner, handle.value),
         Kind::Radius(_) => Number::new(RADIUS, owner, handle.value),
-        Kind::Shift(axis) => shift(axis, owner, profile.ends(axis)),
+        Kind::Shift(axis) => {
+            Number::shift(axis, owner, [profile.ends(0), profile.ends(1), [0.0, 0.0]])
+        }
     }
-}
-
-/// A tenth of the size of what is moved, to both sides.
-fn shift(axis: usize, owner: &str, [low, high]: [f64; 2]) -> Number {
-    let size = if high > low { 0.1 * (high - low) } else { 1.0 };
-    let mut own = Number::new(SHIFTS[axis], owner, 0.0);
-    own.range = [-size, size];
-    own
 }
 
 /// The axes of a surface in space, which move with it.
 fn moved(search: &mut Search, owner: &str, axes: &[DataLine]) {
-    for axis in 0..3 {
-        let along = axes.iter().flat_map(|line| fields(line).iter().skip(axis).step_by(3));
-        let read: Option<Vec<(&Field, f64)>> =
-            along.map(|field| Some((field, search.number(field)?))).collect();
-        let Some(read) = read.filter(|own| !own.is_empty()) else { continue };
-        let ends = read.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], own| {
+    let along =
+        |axis: usize| axes.iter().flat_map(move |line| fields(line).iter().skip(axis).step_by(3));
+    let read = [0, 1, 2].map(|axis| {
+        let all = along(axis).map(|field| Some((field, search.number(field)?)));
+        all.collect::<Option<Vec<(&Field, f64)>>>().unwrap_or_default()
+    });
+    let ends = [0, 1, 2].map(|axis: usize| {
+        read[axis].iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], own| {
             [low.min(own.1), high.max(own.1)]
-        });
-        let slider = search.add(shift(axis, owner, ends));
+        })
+    });
+    for (axis, read) in read.iter().enumerate().filter(|(_, own)| !own.is_empty()) {
+        let slider = search.add(Number::shift(axis, owner, ends));
         for (field, value) in read {
-            search.follow(field.span, value, Follows::Moved(slider));
+            search.follow(field.span, *value, Follows::Moved(slider));
         }
     }
 }

@@ -20,6 +20,7 @@ mod deck;
 mod drawing;
 mod formula;
 mod found;
+mod found_bodies;
 mod found_surfaces;
 mod kinds;
 pub mod markdown;
@@ -34,6 +35,7 @@ mod save;
 mod search;
 #[cfg(feature = "server")]
 pub mod server;
+#[cfg(feature = "server")]
 mod single;
 mod slider;
 mod solve;
@@ -42,5 +44,6 @@ mod values;
 pub use bench::{Bench, Reader};
 pub use kinds::{KINDS, Kind, kind};
 pub use parameters::range;
+#[cfg(feature = "server")]
 pub use single::{asset, single_page};
 pub use slider::Range;

@@ -37,6 +37,28 @@ impl Number {
             range,
         }
     }
+
+    /// What is added along an axis to a body that reaches from end to end.
+    pub fn shift(axis: usize, owner: &str, ends: [[f64; 2]; 3]) -> Self {
+        let mut own = Self::new(SHIFTS[axis], owner, 0.0);
+        let size = shifted(axis, ends);
+        own.range = [-size, size];
+        own
+    }
+}
+
+const SHIFTS: [(&str, &str); 3] =
+    [("shift_x", "along x,"), ("shift_y", "along y,"), ("shift_z", "along z,")];
+
+/// How far a body may be moved along an axis: a tenth of its length there, of its largest one where
+/// it has none, or of where a mere point stands.
+pub(crate) fn shifted(axis: usize, ends: [[f64; 2]; 3]) -> f64 {
+    let long = ends.map(|[low, high]| if high > low { high - low } else { 0.0 });
+    let most = |all: &[f64]| all.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
+    let all = ends.as_flattened().iter().filter(|own| own.is_finite());
+    let far = most(&all.copied().collect::<Vec<_>>());
+    let size = [long[axis], most(&long), far].into_iter().find(|own| *own > 0.0);
+    0.1 * size.unwrap_or(10.0)
 }
 
 /// What was found so far.

@@ -1,9 +1,12 @@
 //! The page as one file, with everything that it needs inside.
 
-use base64::{Engine as _, engine::general_purpose::STANDARD};
+use base64::engine::general_purpose::STANDARD;
+use base64::write::EncoderStringWriter;
+use flate2::{Compression, GzBuilder};
 use serde_json::json;
 use slideline::output::json::text;
 use slideline::output::report::DRAWING;
+use std::io::{self, Write as _};
 
 /// Files of the page: name and content.
 const ASSETS: &[(&str, &[u8])] = include!(concat!(env!("OUT_DIR"), "/page.rs"));
@@ -31,13 +34,16 @@ pub fn asset(name: &str) -> Option<(&'static [u8], &'static str)> {
 
 /// The page as one file: styles and scripts in place of their names, the solver as WebAssembly, and
 /// the deck that it opens (name and text), if one.
-pub fn single_page(wasm: &[u8], deck: Option<(&str, &str)>) -> String {
+///
+/// # Errors
+/// Where the solver cannot be compressed; nothing is known that would do that.
+pub fn single_page(wasm: &[u8], deck: Option<(&str, &str)>) -> io::Result<String> {
     let opened = deck.map(|(name, text)| json!({"name": name, "text": text}));
     let carried = format!(
         "<script type=\"application/json\" id=\"opened\">{}</script>\n\
          <script type=\"text/plain\" id=\"module\">{}</script>\n",
         text(&opened).replace('<', "\\u003c"),
-        STANDARD.encode(wasm)
+        packed(wasm)?
     );
     let policy = format!("<meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">");
     let mut page = String::with_capacity(carried.len() + (1 << 18));
@@ -57,7 +63,15 @@ pub fn single_page(wasm: &[u8], deck: Option<(&str, &str)>) -> String {
             page.extend([&policy, "\n"]);
         }
     }
-    page
+    Ok(page)
+}
+
+/// A module as the page unpacks it: gzip in base64. The same bytes come from the same module.
+fn packed(wasm: &[u8]) -> io::Result<String> {
+    let mut packing =
+        GzBuilder::new().write(EncoderStringWriter::new(&STANDARD), Compression::best());
+    packing.write_all(wasm)?;
+    Ok(packing.finish()?.into_inner())
 }
 
 /// What a line names between two texts.
@@ -72,6 +86,8 @@ fn words(name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use base64::Engine as _;
+    use std::io::Read as _;
 
     /// Requirement: every file that the page names is inside, nothing is named that would have to be
     /// loaded, and neither the deck nor a script ends the script that it stands in.
@@ -87,15 +103,30 @@ mod tests {
         for name in &names {
             assert!(asset(name).is_some(), "{name} is named and not there");
         }
-        let page = single_page(b"\0asm", Some(("a.inp", "*HEADING\n</script><b>\"\\\n")));
+        let page = single_page(b"\0asm", Some(("a.inp", "*HEADING\n</script><b>\"\\\n"))).unwrap();
         assert!(!page.contains("<script src") && !page.contains("rel=\"stylesheet\""));
         assert_eq!(page.matches("<script").count(), page.matches("</script>").count());
-        assert!(page.contains("id=\"module\">AGFzbQ==</script>"));
         let (_, behind) = page.split_once("id=\"opened\">").unwrap();
         let (deck, _) = behind.split_once("</script>").unwrap();
         let deck: serde_json::Value = serde_json::from_str(deck).unwrap();
         assert_eq!(deck["text"], "*HEADING\n</script><b>\"\\\n");
-        assert!(single_page(b"", None).contains("id=\"opened\">null</script>"));
+        let empty = single_page(b"", None).unwrap();
+        assert!(empty.contains("id=\"opened\">null</script>"));
+    }
+
+    /// Requirement: the module in the page is that which was given, and takes less room there than its
+    /// own bytes where these repeat.
+    #[test]
+    fn the_module_is_packed() {
+        let wasm: Vec<u8> = (0..40_000_u32).map(|k| (k / 7 % 251) as u8).collect();
+        let page = single_page(&wasm, None).unwrap();
+        let (_, behind) = page.split_once("id=\"module\">").unwrap();
+        let (module, _) = behind.split_once("</script>").unwrap();
+        assert!(module.len() < wasm.len() / 4, "{}", module.len());
+        let mut own = Vec::new();
+        let packed = STANDARD.decode(module).unwrap();
+        flate2::read::GzDecoder::new(&*packed).read_to_end(&mut own).unwrap();
+        assert!(own == wasm);
     }
 
     #[test]

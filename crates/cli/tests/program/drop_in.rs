@@ -12,6 +12,13 @@ const PROGRAM: &str = env!("CARGO_BIN_EXE_slideline");
 /// Written as PrePoMax writes: mixed case, two numbers for each reference point, an inert card.
 const DECK: &str = include_str!("replayed/pressed.inp");
 
+/// Written as PrePoMax writes: a punch in contact with a block, springs, a gap, an equation, a rigid body
+/// with a node of its turning, two steps.
+const CONTACT: &str = include_str!("replayed/contact.inp");
+
+/// Written as FreeCAD writes: a cantilever of beams, 1000 long, 10 wide and 20 high.
+const BEAM: &str = include_str!("replayed/beam.inp");
+
 /// An empty folder with the deck and, beside it, a link named as ccx is.
 fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("drop_in").join(name);
@@ -191,4 +198,55 @@ fn frd_and_dat_are_always_there() {
     let results = Results::read(&text(&folder, "pressed.frd"));
     assert!(results.fields.is_empty() && results.elements.len() == 1);
     assert_eq!(text(&folder, "pressed.dat"), "");
+}
+
+/// Requirement: every law of contact that PrePoMax writes runs, in two steps, with all that it asks for,
+/// and is read. Source: the punch is pulled over the block in the second step, so that the foot feels
+/// friction of a tenth of the pressure; the springs add less than 0.3 %.
+#[test]
+fn every_law_of_prepomax_is_run_and_read() {
+    let folder = folder("laws");
+    let laws = [
+        ("Hard", 0.1),
+        ("Linear\n100000, 0.5", 0.1),
+        ("Linear\n100000, 0.5, 0.001", 0.1),
+        ("Exponential\n0.001, 10", 0.1),
+        ("Tabular\n0, -0.001\n100, 0\n1000, 0.001", 0.1),
+        ("Tied\n1E+07", f64::NAN),
+    ];
+    for (law, friction) in laws {
+        let deck =
+            CONTACT.replace("Pressure-overclosure=Hard", &format!("Pressure-overclosure={law}"));
+        std::fs::write(folder.join("punch.inp"), deck).unwrap();
+        let output = ccx(&folder, &["punch"]);
+        succeeded(&output);
+        assert!(!stdout(&output).contains("SL0348"), "what touches is tied: {output:?}");
+        let results = Results::read(&text(&folder, "punch.frd"));
+        assert!(results.fields.iter().any(|own| own.at[1] == 2 && own.name == "STRESS"), "{law}");
+        let tables = tables(&text(&folder, "punch.dat"));
+        let foot =
+            tables.iter().rfind(|own| own.0.starts_with("total force (fx,fy,fz) for set FOOT"));
+        let force = &foot.unwrap().1[0];
+        assert!(force[2] > 1000.0, "{law}: {force:?}");
+        let ratio = -force[0] / force[2];
+        assert!(friction.is_nan() || (ratio / friction - 1.0).abs() < 0.01, "{law}: {ratio}");
+    }
+}
+
+/// Requirement: FreeCAD's deck of beams is read whatever `OUTPUT=` says. Source: equilibrium, and F l^3 /
+/// (3 E I) for the tip; two elements follow it within 2 %.
+#[test]
+fn beams_of_freecad_are_run_and_read() {
+    let folder = folder("beams");
+    for output in ["2d", "3d"] {
+        let deck = BEAM.replace("OUTPUT=2d", &format!("OUTPUT={output}"));
+        std::fs::write(folder.join("beam.inp"), deck).unwrap();
+        succeeded(&ccx(&folder, &["-i ", "beam"]));
+        let results = Results::read(&text(&folder, "beam.frd"));
+        let tip = results.field("DISP", 1).rows[&3][2];
+        let exact = -100.0 * 1000f64.powi(3) / (3.0 * 210_000.0 * 10.0 * 20f64.powi(3) / 12.0);
+        assert!((tip / exact - 1.0).abs() < 0.02, "{tip} {exact}");
+        let tables = tables(&text(&folder, "beam.dat"));
+        assert!((tables[0].1[0][2] - 100.0).abs() < 1e-6, "{tables:?}");
+    }
 }

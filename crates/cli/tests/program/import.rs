@@ -148,6 +148,30 @@ fn groups_become_what_is_asked_for() {
     assert!(moved.contains(&(reference, 0.1)), "{moved:?}");
 }
 
+/// Requirement: groups of one name, or of names that decks cannot keep apart, are different sets, and
+/// each can be asked for; gmsh itself allows them.
+#[test]
+fn groups_of_one_name_stay_apart() {
+    let folder = folder("names");
+    let text = std::fs::read_to_string(meshes().join("quad4_41.msh")).unwrap();
+    let text = text.replace("\"held\"", "\"part\"").replace("\"pulled end\"", "\"rest\"");
+    std::fs::write(folder.join("same.msh"), text).unwrap();
+    let same = folder.join("same.msh");
+    let deck =
+        imported(&folder, same.to_str().unwrap(), &["--fix", "part_curve", "--rigid", "rest"]);
+    for part in [
+        "ELSET=PART\n",
+        "*NSET, NSET=PART_CURVE\n",
+        "*SURFACE, NAME=PART_CURVE, TYPE=ELEMENT\n",
+        "\nPART_CURVE, 1, 2\n",
+        "*NODE, NSET=REST_REF\n",
+    ] {
+        assert_eq!(deck.matches(part).count(), 1, "{part}: {deck}");
+    }
+    let area = deck.split("ELSET=PART\n").nth(1).unwrap().split("\n*").next().unwrap();
+    assert_eq!(area.lines().count(), 6, "{deck}");
+}
+
 /// Requirement: every bad mesh and wish is a coded error with its line, and nothing is written.
 #[test]
 fn bad_meshes_are_refused_with_their_line() {
@@ -166,7 +190,8 @@ fn bad_meshes_are_refused_with_their_line() {
         (good.split_inclusive("$Nodes\n").next().unwrap().to_owned(), vec![], "SL0831", "ends"),
         ("*NODE\n1, 0., 0.\n".to_owned(), vec![], "SL0831", "no elements"),
         (String::new(), vec![], "SL0101", "empty"),
-        (other(&second, " 16 2", " 10 2"), vec![], "SL0833", "bad.msh:"),
+        (other(&second, " 16 2", " 7 2"), vec![], "SL0833", "bad.msh:"),
+        (other(&second, " 16 2", " 10 2"), vec![], "SL0831", "9 nodes"),
         (good.clone(), vec!["--rigid", "hold"], "SL0832", "Is held meant?"),
         (good.clone(), vec!["--beam", "held=B22"], "SL0834", "B21"),
         (good.clone(), vec!["--beam", "part=B21"], "SL0834", "curves"),

@@ -102,7 +102,12 @@ fn tied(card: &Reading<'_>, draft: &mut Draft) -> Option<NormalLaw> {
 fn linear(card: &Reading<'_>, draft: &mut Draft) -> Option<NormalLaw> {
     let line = card.only_line("the stiffness K", &mut draft.log)?;
     let calculix = draft.dialect == Dialect::Calculix;
-    draft.log.at_most(line, if calculix { 2 } else { 1 });
+    draft.log.at_most(line, if calculix { 3 } else { 1 });
+    if let Some(field) = line.field(2).filter(|_| calculix) {
+        let message = "the distance at which contact is looked for (c0) has no effect: whatever is \
+                       near is looked at";
+        draft.log.note("SL0257", message, field.span);
+    }
     let stiffness = draft.log.number(line, 0, "the stiffness K")?;
     let tension = draft.log.maybe_number(line, 1)?.filter(|_| calculix);
     if stiffness <= 0.0 || tension.is_some_and(|tension| tension <= 0.0) {

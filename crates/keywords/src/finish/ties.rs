@@ -22,6 +22,9 @@ use crate::rule::Subject;
 /// tolerance. [Abaqus manual, `*TIE`]
 const TOLERANCE: f64 = 0.05;
 
+/// The same of what touches: a tolerance of zero ties it, though rounding leaves a distance.
+const TOUCHING: f64 = 1e-6;
+
 pub(super) fn ties(draft: &mut Draft) {
     let ties = std::mem::take(&mut draft.ties);
     if ties.is_empty() {
@@ -126,7 +129,8 @@ fn one(
         }
         let point = draft.model.nodes.get(node).position;
         let Some((place, near)) = nearest(&masters, point) else { continue };
-        if near.distance > tie.tolerance.unwrap_or(TOLERANCE * masters[place].size) {
+        let size = masters[place].size;
+        if near.distance > tie.tolerance.unwrap_or(TOLERANCE * size).max(TOUCHING * size) {
             left.push(node);
             continue;
         }
@@ -148,7 +152,9 @@ fn one(
         let warning = Diagnostic::warning(Code("SL0348"), message).at(tie.origin);
         draft.consequence(
             Subject::Links,
-            warning.help("POSITION TOLERANCE= ties from further away"),
+            warning.help(
+                "POSITION TOLERANCE= of *TIE, ADJUST= of *CONTACT PAIR, ties from further away",
+            ),
         );
     }
 }

@@ -119,6 +119,14 @@ fn way_out(driven: &Driven, stroke: &Stroke) -> String {
     }
 }
 
+/// Why there is no force out.
+fn no_way_out(results: &Results) -> &'static str {
+    match results.summary.text("status") {
+        Some("completed") => "the deck has no way out",
+        _ => "the run did not get to a way out",
+    }
+}
+
 /// Self-locking as designers mean it: it cannot be pulled out.
 fn locking(results: &Results, stroke: &Stroke) -> String {
     let reached = stroke.pull.map_or(0.0, |pull| pull.force);
@@ -133,9 +141,8 @@ fn locking(results: &Results, stroke: &Stroke) -> String {
                 .to_owned()
         }
         (_, WayOut::None) => {
-            "this deck has no way out, so pull-out force and self-locking are not \
-                              known"
-                .to_owned()
+            let why = no_way_out(results);
+            format!("{why}, so pull-out force and self-locking are not known")
         }
         (_, WayOut::NoReaction) => "self-locking is not known".to_owned(),
         _ => "not self-locking".to_owned(),
@@ -252,7 +259,7 @@ pub(crate) fn tiles(results: &Results, judged: &Judged) -> Vec<[String; 3]> {
         let (value, note) = taken(stroke.push, "the driver holds it back");
         list.push([format!("push-in {kind}"), value, note]);
         if stroke.way_out == WayOut::None {
-            list.push([format!("pull-out {kind}"), "-".into(), "the deck has no way out".into()]);
+            list.push([format!("pull-out {kind}"), "-".into(), no_way_out(results).into()]);
         } else {
             let (value, note) = taken(stroke.pull, "it comes out by itself");
             list.push([format!("pull-out {kind}"), value, note]);

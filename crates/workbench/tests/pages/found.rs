@@ -145,3 +145,104 @@ fn errors_stand_where_the_number_stands() {
         "{end}"
     );
 }
+
+/// A block that a wall of rigid elements presses; the wall's middle nodes are generated.
+const WALL: &str = "\
+*HEADING\n\
+A block that a rigid wall of elements presses\n\
+*NODE\n\
+1, 0.0, 0.0\n\
+2, 2.0, 0.0\n\
+3, 2.0, 1.0\n\
+4, 0.0, 1.0\n\
+5, 1.0, 0.0\n\
+6, 1.0, 1.0\n\
+101, -0.5, 1.05\n\
+105, 2.5, 1.05\n\
+110, 1.0, 1.5\n\
+*NGEN\n\
+101, 105, 1\n\
+*ELEMENT, TYPE=CPE4, ELSET=BLOCK\n\
+1, 1, 5, 6, 4\n\
+2, 5, 2, 3, 6\n\
+*ELEMENT, TYPE=R2D2, ELSET=WALL\n\
+11, 105, 104\n\
+12, 104, 103\n\
+13, 103, 102\n\
+14, 102, 101\n\
+*SOLID SECTION, ELSET=BLOCK, MATERIAL=RUBBER\n\
+1.0\n\
+*MATERIAL, NAME=RUBBER\n\
+*ELASTIC\n\
+10.0, 0.3\n\
+*RIGID BODY, REF NODE=110, ELSET=WALL\n\
+*SURFACE, NAME=FACE, TYPE=ELEMENT\n\
+WALL, SPOS\n\
+*SURFACE, NAME=TOP, TYPE=ELEMENT\n\
+BLOCK, S3\n\
+*SURFACE INTERACTION, NAME=I\n\
+*CONTACT PAIR, INTERACTION=I, TYPE=SURFACE TO SURFACE\n\
+TOP, FACE\n\
+*STEP, NLGEOM\n\
+*STATIC\n\
+0.1, 1.0\n\
+*BOUNDARY\n\
+1, 1, 2\n\
+2, 2\n\
+5, 2\n\
+110, 1, 1\n\
+110, 6, 6\n\
+110, 2, 2, -0.15\n\
+*END STEP\n";
+
+/// Requirement: a rigid body of elements has a place as an analytical one has: all its nodes move, those
+/// that are generated too, and what was written by hand at the other place has the same forces. The
+/// ends of its slider are a tenth of its size, also along the axis in which it is flat.
+#[test]
+fn a_body_of_elements_has_a_place() {
+    let (mut bench, deck) = opened("wall.inp", WALL);
+    for name in ["shift_x", "shift_y"] {
+        let found = parameter(&deck, name);
+        assert_eq!((&found["minimum"], &found["maximum"]), (&json!(-0.3), &json!(0.3)), "{deck}");
+    }
+    let lower = json!({"shift_x": 0.125, "shift_y": -0.0625});
+    let said = ask(&mut bench, &json!({"ask": "solve", "id": 2, "values": lower}));
+    let by_hand = WALL
+        .replace("101, -0.5, 1.05", "101, -0.375, 0.9875")
+        .replace("105, 2.5, 1.05", "105, 2.625, 0.9875");
+    let (mut second, _) = opened("wall.inp", &by_hand);
+    let other = ask(&mut second, &json!({"ask": "solve", "id": 2}));
+    let forces = |said: &[Value]| rows(said).iter().map(|row| row[4]).collect::<Vec<_>>();
+    let (own, other) = (forces(&said), forces(&other));
+    assert!(own.len() > 5 && own.len() == other.len(), "{own:?} {other:?}");
+    let most = other.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
+    assert!(most > 1.0 && own.iter().zip(&other).all(|(a, b)| (a - b).abs() < 1e-9 * most));
+    let saved = last(
+        &mut bench,
+        &json!({"ask": "save", "id": 3, "what": "deck", "values": {"shift_y": -0.0625}}),
+    );
+    let text = saved["text"].as_str().unwrap();
+    assert!(text.contains("101, -0.5, 0.9875") && text.contains("110, 1.0, 1.5"), "{text}");
+}
+
+/// Requirement: a body that is part of more, or whose nodes stand where no number of the deck puts
+/// them, has no place that could be moved: half of a part would stay.
+#[test]
+fn a_body_that_is_part_of_more_stays() {
+    let none = |text: &str| {
+        let (_, deck) = opened("wall.inp", text);
+        assert_eq!(deck["sound"], true, "{deck}");
+        assert!(parameter(&deck, "shift_y").is_null() && !parameter(&deck, "modulus").is_null());
+    };
+    // the foot of the block hangs on the body
+    let tied = WALL
+        .replace(
+            "ELSET=WALL\n*SURFACE, NAME=FACE",
+            "ELSET=WALL, TIE NSET=FOOT\n*SURFACE, NAME=FACE",
+        )
+        .replace("*ELEMENT, TYPE=CPE4", "*NSET, NSET=FOOT\n1, 5, 2\n*ELEMENT, TYPE=CPE4");
+    none(&tied.replace("1, 1, 2\n2, 2\n5, 2\n", ""));
+    // a node that is generated between the body and its reference node, which stays
+    let copied = WALL.replace("*NGEN\n101, 105, 1\n", "*NGEN\n101, 105, 1\n101, 110, 3\n");
+    none(&copied.replace("11, 105, 104", "11, 105, 104\n15, 101, 107"));
+}

@@ -304,3 +304,36 @@ fn files_stay_in_the_folder() {
     let names = |folder: &Path| std::fs::read_dir(folder).unwrap().count();
     assert_eq!((names(&served.folder), names(&served.folder.join("inside"))), (1, 1));
 }
+
+/// Requirement: what is there is not written over under a name that is asked for, the deck above all; what
+/// the bench names itself replaces a link and does not follow it.
+#[cfg(unix)]
+#[test]
+fn nothing_is_written_through_links() {
+    let served = served("links");
+    let (inside, outside) = (served.folder.join("inside"), served.folder.join("outside.inp"));
+    std::fs::write(&outside, "outside").unwrap();
+    std::fs::write(inside.join("snap_fit.inp"), "the deck").unwrap();
+    for name in ["link.inp", "snap_fit_set.inp"] {
+        std::os::unix::fs::symlink(&outside, inside.join(name)).unwrap();
+    }
+    std::os::unix::fs::symlink(served.folder.join("gone.inp"), inside.join("gone.inp")).unwrap();
+    let mut socket = served.socket(&served.cookie());
+    socket.send(Message::text("{\"ask\":\"open\",\"id\":1}")).unwrap();
+    text(&mut socket);
+    let mut save = |name: Option<&str>| {
+        let mut ask = serde_json::json!({"ask": "save", "id": 2, "what": "deck", "write": true});
+        ask["name"] = name.into();
+        socket.send(Message::text(ask.to_string())).unwrap();
+        text(&mut socket)
+    };
+    for name in ["snap_fit.inp", "link.inp", "gone.inp"] {
+        assert_eq!(save(Some(name))["say"], "refused", "{name}");
+    }
+    assert_eq!(save(None)["say"], "written");
+    let read = |path: &Path| std::fs::read_to_string(path).unwrap();
+    assert_eq!(read(&outside), "outside");
+    assert_eq!(read(&inside.join("snap_fit.inp")), "the deck");
+    assert_eq!(read(&inside.join("snap_fit_set.inp")), DECK);
+    assert!(!served.folder.join("gone.inp").exists());
+}
