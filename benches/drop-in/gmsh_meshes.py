@@ -26,17 +26,17 @@ def write(folder, name, formats):
         path.write_text(text)
 
 
-def options(order, size):
+def options(order, size, complete=False):
     gmsh.clear()
     gmsh.option.setNumber("General.Terminal", 0)
     gmsh.option.setNumber("Mesh.ElementOrder", order)
-    gmsh.option.setNumber("Mesh.SecondOrderIncomplete", 1)
+    gmsh.option.setNumber("Mesh.SecondOrderIncomplete", 0 if complete else 1)
     gmsh.option.setNumber("Mesh.MeshSizeMin", size)
     gmsh.option.setNumber("Mesh.MeshSizeMax", size)
 
 
-def plate(order, quadrilaterals):
-    options(order, 1.5)
+def plate(order, quadrilaterals, complete=False):
+    options(order, 1.5, complete)
     gmsh.model.occ.addRectangle(0, 0, 0, 4, 2)
     gmsh.model.occ.synchronize()
     gmsh.model.addPhysicalGroup(2, [1], name="part")
@@ -47,8 +47,8 @@ def plate(order, quadrilaterals):
     gmsh.model.mesh.generate(2)
 
 
-def block(order, shape):
-    options(order, 1.0)
+def block(order, shape, complete=False):
+    options(order, 1.0, complete)
     base = gmsh.model.occ.addRectangle(0, 0, 0, 4, 1)
     recombine = shape == "hex"
     if shape == "tet":
@@ -97,6 +97,14 @@ def main():
             write(folder, f"{shape}{nodes[order - 1]}_", formats)
         line(order)
         write(folder, f"line{order + 1}_", list(FORMATS))
+    # the second order as gmsh makes it of itself: nodes in the middle of faces and volumes, too
+    plate(2, True, True)
+    write(folder, "quad9_", ["41.msh", ".inp"])
+    block(2, "hex", True)
+    write(folder, "hex27_", ["41.msh", ".inp"])
+    # in .inp gmsh calls wedges of 18 nodes C3D6
+    block(2, "wedge", True)
+    write(folder, "wedge18_", ["41.msh"])
     gmsh.finalize()
 
 

@@ -86,7 +86,7 @@ fn every_shape_of_every_format_passes_the_patch_test() {
         }
         count += 1;
     }
-    assert_eq!(count, 20);
+    assert_eq!(count, 25);
 }
 
 /// First coordinates of the nodes of a deck [L].
@@ -169,7 +169,7 @@ fn groups_of_one_name_stay_apart() {
         assert_eq!(deck.matches(part).count(), 1, "{part}: {deck}");
     }
     let area = deck.split("ELSET=PART\n").nth(1).unwrap().split("\n*").next().unwrap();
-    assert_eq!(area.lines().count(), 6, "{deck}");
+    assert_eq!(area.lines().count(), 11, "{deck}");
 }
 
 /// Requirement: every bad mesh and wish is a coded error with its line, and nothing is written.

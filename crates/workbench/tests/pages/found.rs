@@ -201,9 +201,11 @@ TOP, FACE\n\
 #[test]
 fn a_body_of_elements_has_a_place() {
     let (mut bench, deck) = opened("wall.inp", WALL);
+    let tenth = 0.1 * 3.0;
     for name in ["shift_x", "shift_y"] {
         let found = parameter(&deck, name);
-        assert_eq!((&found["minimum"], &found["maximum"]), (&json!(-0.3), &json!(0.3)), "{deck}");
+        let ends = (&found["minimum"], &found["maximum"]);
+        assert_eq!(ends, (&json!(-tenth), &json!(tenth)), "{deck}");
     }
     let lower = json!({"shift_x": 0.125, "shift_y": -0.0625});
     let said = ask(&mut bench, &json!({"ask": "solve", "id": 2, "values": lower}));
