@@ -34,7 +34,8 @@
       // why it stopped is said once, with what can be done
       const because = end.diagnosis && end.diagnosis.message ? " because " + end.diagnosis.message : null;
       lines = reasons.concat((own.lines || []).map((line) => [because ? line.replace(because, "") : line, ""]));
-      if (end.status !== "completed") lines = [[STATUS[end.status] || end.status, "red"]].concat(end.diagnosis ? [[text(end.diagnosis), "red"]] : [], lines);
+      const status = STATUS[end.status] || end.status, told = lines.some(([line]) => line.startsWith(status));
+      if (end.status !== "completed") lines = (told ? [] : [[status, "red"]]).concat(end.diagnosis ? [[text(end.diagnosis), "red"]] : [], lines);
     }
     lines = lines && lines.map((one) => typeof one === "string" ? [one, ""] : one);
     // said once is enough
