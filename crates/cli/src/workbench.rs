@@ -166,7 +166,10 @@ fn page(path: &Path, arguments: &WorkbenchArguments, deck: Option<&Deck>) -> Exi
     };
     let text = deck.map(|own| with_ranges(&own.text, &arguments.range));
     let deck = deck.zip(text.as_ref()).map(|(own, text)| (own.name.as_str(), text.as_str()));
-    match write_file(path, single_page(&wasm, deck).as_bytes()) {
+    let page = single_page(&wasm, deck).map_err(|reason| reason.to_string());
+    let write = |page: String| write_file(path, page.as_bytes()).map_err(|own| own.to_string());
+    let written = page.and_then(write);
+    match written {
         Ok(()) => {
             screen::print(&format!("{} is written; open it in a browser\n", path.display()));
             Exit::Completed
