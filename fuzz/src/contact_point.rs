@@ -2,6 +2,7 @@
 //! can hold.
 
 use slideline::mech::contact::friction::{Ellipse, FrictionLaw, Stick};
+use slideline::mech::contact::gap::offset::Offset;
 use slideline::mech::contact::normal::NormalLaw;
 use slideline::mech::contact::pair::{AnyGap, Body, RigidSurface, chain_gap};
 use slideline::mech::contact::search::chain::{Chain, Nearby, raised};
@@ -59,13 +60,16 @@ fn laws(v: &[f64]) {
     }
 }
 
+/// Surfaces that stand off.
+const OFFSET: Offset = Offset { slave: 0.1, master: 0.05 };
+
 fn chain(nodes: &[[f64; 2]], smoothing: f64, point: [f64; 2]) {
     let nodes: Vec<_> = nodes.iter().copied().map(raised).collect();
     let (nodes, point) = (&nodes[..], raised(point));
     let Some(chain) = Chain::new(nodes, smoothing, 0.1) else { return };
     let Some(piece) = chain.closest(nodes, Nearby::Positions, point) else { return };
     assert!(piece.nodes().end <= nodes.len() && !piece.parameter.is_nan(), "{piece:?}");
-    if let Some(gap) = chain_gap(&chain, &piece, nodes, point) {
+    if let Some(gap) = chain_gap(&chain, &piece, nodes, (point, OFFSET)) {
         finite(&gap);
     }
 }
@@ -89,7 +93,7 @@ fn rigid(points: &[[f64; 2]], point: [f64; 2], dofs: [f64; 3]) {
         assert!(!overclosure.is_nan(), "{surface:?} {point:?}");
     }
     let Some(facing) = surface.closest(&body, point) else { return };
-    if let Some(gap) = surface.gap(&body, &facing, point) {
+    if let Some(gap) = surface.gap(&body, &facing, (point, OFFSET)) {
         finite(&gap);
     }
 }

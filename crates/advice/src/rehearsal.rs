@@ -10,6 +10,7 @@ use crate::moments::{Carrier, Moment, Rehearsal};
 use crate::motion::motion;
 use crate::start::{Start, length, less};
 use slideline_mech::contact::gap::Linear;
+use slideline_mech::contact::gap::offset::Offset;
 use slideline_mech::contact::pair::{Body, RigidSurface, chain_overclosure};
 use slideline_mech::contact::search::chain::{Chain, Nearby, flat};
 use slideline_mech::contact::search::rigid::{RigidSegment, beyond_end};
@@ -90,7 +91,8 @@ fn fill_gaps(start: &mut Start<'_>) {
         let (point, still) = (start.model.nodes.position(row.node), Body::STILL);
         let Some(MasterSurface::Body(surface, _)) = master_surface(start, pair) else { continue };
         let facing = surface.closest(&still, point);
-        if let Some(gap) = facing.and_then(|facing| surface.gap::<Linear>(&still, &facing, point)) {
+        let at = (point, pair.offset);
+        if let Some(gap) = facing.and_then(|facing| surface.gap::<Linear>(&still, &facing, at)) {
             row.opening = -gap.overclosure();
             row.normal = gap.normal();
             row.along = gap.along()[0];
@@ -171,6 +173,7 @@ fn moment_at(
         let body = if one_body { common } else { moved(slave)? };
         match position(master_surface, &chain, &master, place(slave, &body)) {
             Position::Facing { overclosure, along, trusted } => {
+                let overclosure = overclosure + pair.offset.both();
                 let (low, high) = moment.range.unwrap_or((overclosure, overclosure));
                 moment.range = Some((low.min(overclosure), high.max(overclosure)));
                 if overclosure > -reach {
@@ -207,8 +210,9 @@ fn position(
             let at = master.to_body(point);
             let still = Body { reference: master.reference, dofs: [0.0; 3] };
             let facing = surface.closest(&still, at);
+            let line = (at, Offset::NONE);
             if let Some((facing, gap)) = facing
-                .and_then(|facing| Some((facing, surface.gap::<Linear>(&still, &facing, at)?)))
+                .and_then(|facing| Some((facing, surface.gap::<Linear>(&still, &facing, line)?)))
             {
                 let overclosure = gap.overclosure();
                 let radius = match surface.segments().get(facing.segment) {

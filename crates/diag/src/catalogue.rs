@@ -159,6 +159,7 @@ catalogue! {
     "SL0349" "a node with two systems of axes"
     "SL0350" "a ring across its axis"
     "SL0361" "a surface meets itself"
+    "SL0362" "a thickness that is not counted"
     "SL0375" "a beam along the first axis of its section"
     "SL0381" "a model change that does not fit"
     "SL0382" "a contact pair on absent elements"

@@ -24,7 +24,7 @@ use crate::scopes::Parts;
 use crate::sets::Sets;
 use crate::surfaces::{
     Clearance, GeneralContact, Initialization, Named, NamedInteraction, NamedSurface, Pairing,
-    RigidBody,
+    RigidBody, SurfaceThickness,
 };
 pub(crate) use cards::{
     Boundary, Gap, Interface, NodalThickness, Shape, Spring, StepDraft, Surface,
@@ -74,6 +74,8 @@ pub(crate) struct Draft {
     pub named_surfaces: Vec<NamedSurface>,
     pub interactions: Vec<NamedInteraction>,
     pub pairings: Vec<Pairing>,
+    /// `*SURFACE PROPERTY ASSIGNMENT`.
+    pub surface_thicknesses: Vec<SurfaceThickness>,
     /// `*CONTACT`.
     pub general: Option<GeneralContact>,
     /// `*CONTACT INITIALIZATION DATA`.

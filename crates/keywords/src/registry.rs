@@ -17,8 +17,8 @@ use crate::cards::{
     orientation, output, parameter, part, physical_constants, planar_test_data, plastic,
     pre_tension_section, print, restart, rigid_body, rigid_surface, section_print, shear_center,
     slide_line, solid_section, spring, static_, step, surface, surface_behavior, surface_contact,
-    surface_interaction, system, temperature, tie, transform, transverse_shear, uniaxial_test_data,
-    visco, viscoelastic, volumetric_test_data,
+    surface_interaction, surface_property_assignment, system, temperature, tie, transform,
+    transverse_shear, uniaxial_test_data, visco, viscoelastic, volumetric_test_data,
 };
 use crate::keyword::Keyword;
 use crate::reading::{Match, resolve};
@@ -79,6 +79,7 @@ pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
     &surface::Surface,
     &rigid_body::RigidBody,
     &surface_interaction::SurfaceInteraction,
+    &surface_property_assignment::SurfacePropertyAssignment,
     &friction::Friction,
     &surface_contact::SurfaceContact,
     &surface_behavior::SurfaceBehavior,

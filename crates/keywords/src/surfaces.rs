@@ -150,6 +150,15 @@ pub(crate) struct Pairing {
     pub origin: Span,
 }
 
+/// `*SURFACE PROPERTY ASSIGNMENT`: a thickness that counts in contact.
+#[derive(Clone, Debug)]
+pub(crate) struct SurfaceThickness {
+    pub named: Named,
+    /// [L]; `None`: that of its elements.
+    pub value: Option<f64>,
+    pub factor: f64,
+}
+
 /// `*CLEARANCE`: the gap at which the slaves of a pair begin.
 #[derive(Clone, Debug)]
 pub(crate) struct Clearance {

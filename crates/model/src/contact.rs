@@ -4,6 +4,7 @@ use crate::friction::Friction;
 use crate::node::NodeIndex;
 use crate::vocabulary::Vocabulary;
 use slideline_diag::Span;
+pub use slideline_mech::contact::gap::offset::Offset;
 use slideline_mech::contact::normal::NormalLaw;
 use slideline_mech::element::cell::{Cell, QUAD4, QUAD8, TRI3, TRI6};
 use slideline_mech::surface::mesh::MeshFace;
@@ -35,6 +36,8 @@ pub struct ContactPair {
     pub master: Master,
     /// Laws and width.
     pub interaction: Interaction,
+    /// How far their surfaces stand off the lines of beams; none: contact is of the lines.
+    pub offset: Offset,
     /// Slave nodes that begin on the master.
     pub adjust: Adjust,
     /// The card that made the pair.

@@ -39,8 +39,8 @@ mod vocabulary;
 pub use amplitude::{Amplitude, Curve};
 pub use contact::{
     Adjust, ContactElement, ContactFace, ContactPair, Formulation, Interaction, Lumping, Master,
-    MasterFaces, OwnSurface, ProfilePoint, RigidSurface, SlideLine, SurfaceRun, SurfaceSegment,
-    Sweep, SweptSurface,
+    MasterFaces, Offset, OwnSurface, ProfilePoint, RigidSurface, SlideLine, SurfaceRun,
+    SurfaceSegment, Sweep, SweptSurface,
 };
 pub use controls::{Controls, FieldControls, TimeIncrementation};
 pub use dialect::Dialect;

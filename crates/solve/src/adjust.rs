@@ -9,7 +9,7 @@ use crate::commit::initial_contact;
 use crate::contact::mean_length;
 use crate::observe::ContactRow;
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{Adjust, ContactPair, Formulation, Master, Model, NodeIndex};
+use slideline_model::{Adjust, ContactElement, ContactPair, Formulation, Master, Model, NodeIndex};
 use std::collections::{HashMap, HashSet};
 
 /// Most moves of a node: a curved master is met by Newton's method, mean gaps of faces one by one.
@@ -30,12 +30,20 @@ pub fn adjust(model: &mut Model) -> Vec<Diagnostic> {
 fn adjust_pair(place: usize, model: &mut Model) -> Vec<Diagnostic> {
     let pair = &model.contact_pairs[place];
     let of_nodes = matches!(pair.adjust, Adjust::Within(_) | Adjust::Nodes(_));
-    if !(of_nodes && pair.formulation == Formulation::Mortar) {
+    let is_sampled = match pair.formulation {
+        Formulation::NodeToSurface => true,
+        Formulation::Mortar => !of_nodes,
+        Formulation::SurfaceToSurface => false,
+    };
+    if is_sampled {
         return move_slaves(place, model);
     }
-    // nodes are moved, those in the middle of faces too, whatever contact is later spread over
+    // nodes are moved, those in the middle of faces and beams too, whatever contact is later spread over
     let mut sampled = model.clone();
     let own = &mut sampled.contact_pairs[place];
+    if own.formulation == Formulation::SurfaceToSurface {
+        own.elements = between_nodes(own, model);
+    }
     own.formulation = Formulation::NodeToSurface;
     match &mut own.master {
         Master::SlideLine(line) => line.smooth = 0.0,
@@ -47,6 +55,26 @@ fn adjust_pair(place: usize, model: &mut Model) -> Vec<Diagnostic> {
         model.nodes.place(node, sampled.nodes.position(node));
     }
     said
+}
+
+/// The elements along which contact is integrated, those of three-node beams from node to node.
+fn between_nodes(pair: &ContactPair, model: &Model) -> Vec<ContactElement> {
+    let three = model.blocks.iter().flat_map(|block| block.elements.iter());
+    let three = three.filter(|element| element.nodes.len() == 3);
+    let sorted = |[a, b]: [NodeIndex; 2]| if a < b { [a, b] } else { [b, a] };
+    let middle: HashMap<[NodeIndex; 2], NodeIndex> =
+        three.map(|own| (sorted([own.nodes[0], own.nodes[2]]), own.nodes[1])).collect();
+    let parts = pair.elements.iter().flat_map(|own| match middle.get(&sorted(own.nodes)) {
+        Some(&middle) => {
+            let [a, b] = own.nodes;
+            vec![
+                ContactElement { nodes: [a, middle], ..*own },
+                ContactElement { nodes: [middle, b], ..*own },
+            ]
+        }
+        None => vec![*own],
+    });
+    parts.collect()
 }
 
 fn move_slaves(place: usize, model: &mut Model) -> Vec<Diagnostic> {

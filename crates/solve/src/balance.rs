@@ -36,10 +36,13 @@ pub fn pair_rows(
     for (place, (point, now)) in points.filter(|(_, (_, now))| now.closed) {
         let row = &mut rows[point.pair];
         let kinematics = work.evaluation.kinematics.at(place);
+        let standoff = plan.contact.standoff_of(point);
         match point.is_spread() {
             true => row.press_faces(plan, state, (point.pair, now), &kinematics),
-            false if point.is_node() => row.press_node(plan, point.node, now, &kinematics),
-            false => row.press(now),
+            false if point.is_node() => {
+                row.press_node(plan, (point.node, standoff), now, &kinematics);
+            }
+            false => row.press(now, standoff),
         }
         let law = &plan.contact.laws_of(point.pair, now).normal;
         row.energy += now.area * law.energy(-now.opening);
@@ -57,12 +60,12 @@ pub fn pair_rows(
 impl PairRow {
     /// Adds the force of a closed point on its slave: pressure along the
     /// master's normal, friction against the slip. [semantics: forces]
-    fn press(&mut self, point: &PointState) {
+    fn press(&mut self, point: &PointState, standoff: f64) {
         let (p, tau) = (point.area * point.pressure, point.area * point.traction);
         let [first, second] = point.directions();
         let pressed = point.normal.map(|normal| p * normal);
         let rubbed = |k: usize| -tau[0] * first[k] - tau[1] * second[k];
-        self.act(point.position, [pressed, std::array::from_fn(rubbed)]);
+        self.act(surface_of(point, standoff), [pressed, std::array::from_fn(rubbed)]);
         self.cover(point);
     }
 
@@ -71,7 +74,7 @@ impl PairRow {
     fn press_node(
         &mut self,
         plan: &Problem<'_>,
-        slave: NodeIndex,
+        (slave, standoff): (NodeIndex, f64),
         point: &PointState,
         kinematics: &PointRows<'_>,
     ) {
@@ -89,7 +92,7 @@ impl PairRow {
             let rubbed = (0..rows.directions()).map(|way| tangential[way] * rows.force(way)[k]);
             forces[1][axis] -= rubbed.sum::<f64>();
         }
-        self.act(point.position, forces);
+        self.act(surface_of(point, standoff), forces);
         self.cover(point);
     }
 
@@ -233,6 +236,11 @@ impl Sum {
         let moment = if moment <= rounding { 0.0 } else { moment };
         (relative(size(self.force), self.forces), relative(moment, self.moments))
     }
+}
+
+/// Where a force acts on the slave of a point: at its surface, which may stand off the point [L].
+fn surface_of(point: &PointState, standoff: f64) -> [f64; 3] {
+    std::array::from_fn(|k| point.position[k] - standoff * point.normal[k])
 }
 
 #[cfg(test)]

@@ -191,6 +191,7 @@ mod tests {
             of_solids: false,
             adjust: slideline_model::Adjust::Nothing,
             corners: Vec::new(),
+            offset: slideline_model::Offset::NONE,
             slaves: Vec::new(),
             name: "P".to_owned(),
             formulation: slideline_model::Formulation::SurfaceToSurface,

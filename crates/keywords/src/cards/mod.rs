@@ -104,6 +104,7 @@ pub(crate) mod surface;
 pub(crate) mod surface_behavior;
 pub(crate) mod surface_contact;
 pub(crate) mod surface_interaction;
+pub(crate) mod surface_property_assignment;
 pub(crate) mod swept_surface;
 pub(crate) mod system;
 pub(crate) mod temperature;

@@ -1,7 +1,7 @@
 //! `*CLEARANCE`: pairs whose slaves begin at a given gap.
 
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{Adjust, Formulation};
+use slideline_model::Adjust;
 
 use crate::draft::Draft;
 use crate::rule::Subject;
@@ -19,12 +19,11 @@ pub(super) fn clearances(draft: &mut Draft) {
             draft.consequence(Subject::Contact, error.help(help));
             continue;
         };
-        if pair.adjust != Adjust::Nothing || pair.formulation == Formulation::SurfaceToSurface {
+        if pair.adjust != Adjust::Nothing {
             let message = format!("the slaves of {name} cannot begin at a clearance");
             let error = Diagnostic::error(Code("SL0392"), message).at(origin);
             let error = error.label(pair.origin, "the pair");
-            let help = "leave ADJUST, or another *CLEARANCE, of this pair out; contact that is \
-                        integrated along beams takes neither";
+            let help = "leave ADJUST, or another *CLEARANCE, of this pair out";
             draft.consequence(Subject::Contact, error.help(help));
             continue;
         }

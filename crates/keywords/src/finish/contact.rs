@@ -5,8 +5,8 @@ use std::collections::HashMap;
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
-    ContactElement, ContactPair, Interaction, Lumping, Master, NodeIndex, RigidSurface, SlideLine,
-    Vocabulary,
+    ContactElement, ContactPair, Interaction, Lumping, Master, NodeIndex, Offset, RigidSurface,
+    SlideLine, Vocabulary,
 };
 
 use crate::draft::{Draft, ElementKind, Shape, Surface};
@@ -127,6 +127,7 @@ fn pair(surface: &Surface, strayed: bool, in_pair: &mut HashMap<usize, Span>, dr
             vocabulary: Vocabulary::Elements,
             adjust: slideline_model::Adjust::Nothing,
             corners: Vec::new(),
+            offset: Offset::NONE,
             slaves: Vec::new(),
             faces: Vec::new(),
             elements,

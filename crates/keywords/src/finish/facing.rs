@@ -48,6 +48,7 @@ pub(super) fn turned(
     let slaves: Vec<NodeIndex> = match slave {
         Found::Faces(own) => own.iter().flat_map(|face| face.nodes.iter().copied()).collect(),
         Found::Nodes(nodes) => nodes.clone(),
+        Found::Facets(own) => own.iter().flat_map(|facet| facet.nodes).collect(),
         _ => return Some(()),
     };
     let (signed, size) = distances(&slaves, faces, draft);

@@ -3,24 +3,29 @@
 use std::collections::HashSet;
 
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{ContactFace, Dialect, Master, MasterFaces, NodeIndex};
+use slideline_model::{ContactFace, Dialect, Formulation, Master, MasterFaces, NodeIndex};
 
 use super::sides::{Parts, Sides, Slaves, refuse};
-use super::surfaces::{Found, Touching, faces_between};
+use super::surfaces::{Found, Touching, between_nodes, faces_between, stretches};
 use crate::draft::{Draft, Element, ElementKind};
-use crate::surfaces::Pairing;
+use crate::surfaces::{NamedSurface, Pairing};
 
 /// Contact of nodes with faces in space.
 pub(super) fn at_nodes_in_space(
     pairing: &Pairing,
-    (slave, master): (Found, MasterFaces),
+    (surface, slave, master): (&NamedSurface, Found, MasterFaces),
     draft: &mut Draft,
 ) -> Parts {
-    let help = "contact in space is between faces of solids: give the slave as elements with their \
-                faces, or as nodes of such faces";
+    let help = "slaves in space are faces of solids, beams and trusses, or nodes of these";
     let slaves = match slave {
         Found::Faces(faces) => Slaves { faces, ..Slaves::default() },
+        Found::Nodes(nodes) if are_of_lines(&nodes, draft) => {
+            Slaves { elements: stretches(surface, &nodes, draft), ..Slaves::default() }
+        }
         Found::Nodes(nodes) => slaves_of_nodes(pairing, nodes, draft)?,
+        Found::Facets(facets) if facets.iter().all(|facet| facet.face.is_none()) => {
+            Slaves { elements: between_nodes(&facets), ..Slaves::default() }
+        }
         Found::Facets(_) | Found::Rigid(_) | Found::Swept(_) => {
             let [name, other] = [&pairing.slave.name, &pairing.master.name];
             let message = format!("{name} is not made of faces in space, {other} is");
@@ -28,6 +33,38 @@ pub(super) fn at_nodes_in_space(
         }
     };
     Some((slaves, Master::Faces(master)))
+}
+
+/// Whether several nodes all belong to beams and trusses.
+fn are_of_lines(nodes: &[NodeIndex], draft: &Draft) -> bool {
+    let lines = draft.elements.iter().filter(|element| element.kind.is_line());
+    let all: HashSet<u64> = lines.flat_map(|element| element.nodes().iter().copied()).collect();
+    nodes.len() > 1 && nodes.iter().all(|&node| all.contains(&draft.model.nodes.label(node)))
+}
+
+/// Complains of beams and trusses in space that meet something else than faces, or not at their
+/// nodes.
+pub(super) fn lines_fit(
+    pairing: &Pairing,
+    (first, second): (&Found, &Found),
+    draft: &mut Draft,
+) -> bool {
+    let is_line = |found: &Found| matches!(found, Found::Facets(_));
+    if !draft.model.is_in_space() || !(is_line(first) || is_line(second)) {
+        return true;
+    }
+    let is_met = matches!(second, Found::Faces(_) | Found::Swept(_));
+    let is_integrated =
+        pairing.formulation == Formulation::SurfaceToSurface && !matches!(second, Found::Swept(_));
+    if is_line(first) && is_met && !is_integrated {
+        return true;
+    }
+    let message = "beams and trusses in space are slaves of faces and of analytical surfaces, at their \
+                   nodes";
+    let help = "name them first, with TYPE=NODE TO SURFACE, and faces of solids, a rigid mesh or \
+                *SURFACE, TYPE=CYLINDER or REVOLUTION second";
+    let _: Parts = refuse(pairing.origin, message, help, draft);
+    false
 }
 
 /// Faces of solids as a master.

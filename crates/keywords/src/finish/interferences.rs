@@ -1,7 +1,7 @@
 //! `*CONTACT INTERFERENCE`: the overclosures that a step takes away.
 
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{Allowed, Formulation, Interference};
+use slideline_model::{Allowed, Interference};
 
 use super::amplitudes::amplitude;
 use crate::changes::InterferenceCard;
@@ -30,11 +30,6 @@ fn interference(card: &InterferenceCard, draft: &mut Draft) -> Option<Interferen
         refuse(card, &message, draft);
         return None;
     };
-    if pairs[pair].formulation == Formulation::SurfaceToSurface {
-        let message = format!("contact of {name} is integrated along beams");
-        refuse(card, &message, draft);
-        return None;
-    }
     if card.value.is_none() && !draft.model.steps.is_empty() {
         refuse(card, "SHRINK takes away what overlaps in the undeformed model", draft);
         return None;
@@ -47,6 +42,6 @@ fn interference(card: &InterferenceCard, draft: &mut Draft) -> Option<Interferen
 fn refuse(card: &InterferenceCard, message: &str, draft: &mut Draft) {
     let error = Diagnostic::error(Code("SL0397"), message).at(card.origin);
     let help = "name slave and master of a line of *CONTACT PAIR, each once in a step; SHRINK belongs \
-                to the first step, and contact along beams has none";
+                to the first step";
     draft.consequence(Subject::Contact, error.help(help));
 }

@@ -1,6 +1,7 @@
 //! What can be said only when the whole deck is known: references by name,
 //! and whether the parts make a model.
 
+mod along_beams;
 mod amplitudes;
 mod axes;
 mod chain;
@@ -16,6 +17,7 @@ mod facing;
 mod frictions;
 mod gaps;
 mod general_contact;
+mod half_thickness;
 mod in_space;
 mod initial_stresses;
 mod inner_faces;

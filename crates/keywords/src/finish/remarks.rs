@@ -1,7 +1,7 @@
 //! What is worth knowing about a contact pair that can be solved.
 
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{Dialect, Formulation, Interaction, Master, NormalLaw};
+use slideline_model::{Dialect, Formulation, Interaction, Master, NormalLaw, Offset};
 
 use crate::draft::Draft;
 use crate::rule::Subject;
@@ -10,7 +10,7 @@ use crate::surfaces::Pairing;
 /// What is worth knowing about a pair that can be solved.
 pub(super) fn remarks(
     (pairing, formulation): (&Pairing, Formulation),
-    master: &Master,
+    (master, offset): (&Master, Offset),
     interaction: &Interaction,
     draft: &mut Draft,
 ) {
@@ -36,12 +36,12 @@ pub(super) fn remarks(
     if formulation != Formulation::SurfaceToSurface {
         return;
     }
-    if !pairing.no_thickness {
+    if !pairing.no_thickness && offset.is_none() {
         let message = "contact acts on the centre line of the beams: their thickness is not \
                        counted";
         let note = Diagnostic::note(Code("SL0336"), message).at(pairing.origin);
-        let help = "NO THICKNESS on *CONTACT PAIR says the same; to count it, move the rigid \
-                    surface by half the thickness";
+        let help = "NO THICKNESS on *CONTACT PAIR says the same; to count it, name the surface of the \
+                    beams under *SURFACE PROPERTY ASSIGNMENT, PROPERTY=THICKNESS";
         draft.log.push(note.help(help));
     }
     if interaction.normal == NormalLaw::Hard {

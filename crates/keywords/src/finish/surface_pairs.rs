@@ -18,24 +18,25 @@ use std::collections::HashSet;
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
-    Adjust, ContactElement, ContactPair, Formulation, Interaction, Master, Section, Vocabulary,
+    Adjust, ContactPair, Formulation, Interaction, Master, Offset, Section, Vocabulary,
 };
 
-use super::chain::{Chain, Facet};
+use super::along_beams::along;
 use super::clearances::clearances;
 use super::contact::both_sides;
 use super::facing;
 use super::general_contact;
+use super::half_thickness;
 use super::in_space::{self, at_nodes_in_space};
 use super::inner_faces::warn_of_inner_faces;
-use super::laws_of_pairs::{as_read, refuse_bonds};
+use super::laws_of_pairs::as_read;
 use super::master_chain::slide_line;
 use super::own_surface::own_surface;
 use super::owners::bodies;
 use super::remarks::remarks;
 use super::sides::{Parts, Sides, Slaves, areas_of_nodes, is_of_solids, refuse};
 use super::spread::{corners, sharp_edges, spread};
-use super::surfaces::{Found, between_nodes, contact_elements, found, stretches};
+use super::surfaces::{Found, between_nodes, found, stretches};
 use super::tied_pairs::{is_tied, tie, until_it_changes};
 use crate::draft::Draft;
 use crate::rule::Subject;
@@ -67,6 +68,7 @@ pub(super) fn pairs(draft: &mut Draft) {
         warn_of_inner_faces(&pairings, draft);
     }
     unused(&pairings, draft);
+    half_thickness::unused(&pairings, draft);
 }
 
 /// Laws that no pair refers to: most likely a pair runs under another one.
@@ -125,12 +127,19 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
     if facing::cannot_be_slave(pairing, &first, draft) || turned.is_none() {
         return;
     }
+    if !in_space::lines_fit(pairing, (&first, &second), draft) {
+        return;
+    }
     areas_of_nodes(&slave, &interaction, draft);
     let sides = Sides { slave, master };
     let thickness = thickness_of(pairing, &first, draft);
     let of_solids = [&first, &second].into_iter().any(is_of_solids);
     let vocabulary = if of_solids { Vocabulary::Faces } else { Vocabulary::Surfaces };
     let ((first, second), sides) = analytical_second(pairing, (first, second), sides);
+    let offset = match pairing.no_thickness {
+        true => Some(Offset::NONE),
+        false => half_thickness::offset((&first, &second), &sides, draft),
+    };
     let formulation = match pairing.formulation {
         Formulation::SurfaceToSurface if matches!(second, Found::Swept(_)) => {
             let message = "contact with an analytical surface in space is sampled at the nodes";
@@ -140,31 +149,40 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
         Formulation::SurfaceToSurface if of_solids => Formulation::Mortar,
         given => given,
     };
-    refuse_bonds(pairing, (formulation, &interaction), draft);
     let parts = match formulation {
         Formulation::NodeToSurface => at_nodes(pairing, &sides, (first, second), draft),
         Formulation::Mortar => spread(pairing, &sides, (first, second), draft),
         Formulation::SurfaceToSurface => along(pairing, &sides, (first, second), draft),
     };
-    let Some(parts) = parts else { return };
-    put_together((pairing, formulation), parts, (interaction, thickness, vocabulary), draft);
+    let (Some(parts), Some(offset)) = (parts, offset) else { return };
+    if half_thickness::fits((pairing, formulation), offset, &parts.1, draft) {
+        let law = (interaction, thickness, vocabulary);
+        put_together((pairing, formulation), parts, (law, offset), draft);
+    }
 }
 
 /// A surface that meets itself, at its nodes.
 fn itself(pairing: &Pairing, surface: &NamedSurface, interaction: Interaction, draft: &mut Draft) {
     let Some(found) = found(surface, pairing.slave.span, draft) else { return };
     let thickness = thickness_of(pairing, &found, draft);
+    if half_thickness::half(&surface.named, &found, draft).is_none() {
+        return;
+    }
     let Some(parts) = own_surface(pairing, surface, found, draft) else { return };
     let formulation = Formulation::NodeToSurface;
     let law = (interaction, thickness, Vocabulary::Faces);
-    put_together((pairing, formulation), parts, law, draft);
+    put_together((pairing, formulation), parts, (law, Offset::NONE), draft);
 }
+
+/// What happens between the sides of a pair: its interaction, its thickness out of the plane where the
+/// slaves give one, the words for it.
+type Law = (Interaction, Option<f64>, Vocabulary);
 
 /// The pair of these slaves and this master.
 fn put_together(
     (pairing, formulation): (&Pairing, Formulation),
     (slaves, master): (Slaves, Master),
-    (interaction, thickness, vocabulary): (Interaction, Option<f64>, Vocabulary),
+    ((interaction, thickness, vocabulary), offset): (Law, Offset),
     draft: &mut Draft,
 ) {
     let width = match slaves.faces.is_empty() {
@@ -180,7 +198,7 @@ fn put_together(
     };
     let normal = as_read(pairing.formulation, &interaction.normal, draft.dialect);
     let interaction = Interaction { normal, ..interaction };
-    remarks((pairing, formulation), &master, &interaction, draft);
+    remarks((pairing, formulation), (&master, offset), &interaction, draft);
     let corners = match formulation {
         Formulation::Mortar if slaves.faces.is_empty() => corners(&slaves.elements, draft),
         Formulation::Mortar => sharp_edges(&slaves.faces, draft),
@@ -201,6 +219,7 @@ fn put_together(
         corners,
         master,
         interaction,
+        offset,
         adjust,
         origin: pairing.origin,
     };
@@ -287,9 +306,11 @@ fn at_nodes(
     let master = match master {
         Found::Faces(faces) => {
             let faces = in_space::faces_of(pairing, sides, faces);
-            return at_nodes_in_space(pairing, (slave, faces), draft);
+            return at_nodes_in_space(pairing, (&sides.slave, slave, faces), draft);
         }
-        Found::Swept(surface) => return at_nodes_in_space(pairing, (slave, surface), draft),
+        Found::Swept(surface) => {
+            return at_nodes_in_space(pairing, (&sides.slave, slave, surface), draft);
+        }
         plane => plane,
     };
     let mut of_solids = false;
@@ -334,79 +355,4 @@ fn at_nodes(
         }
     };
     Some((Slaves { elements, of_solids, ..Slaves::default() }, master))
-}
-
-/// Contact integrated along beams that meet an analytical surface.
-fn along(
-    pairing: &Pairing,
-    sides: &Sides,
-    (slave, master): (Found, Found),
-    draft: &mut Draft,
-) -> Parts {
-    if let Some((_, span)) = &pairing.adjust {
-        let message = "ADJUST of contact that is integrated along beams is not supported";
-        let help = "leave it out: an overclosure at the start is resolved in the first increment, \
-                    with strain; or give TYPE=NODE TO SURFACE";
-        let error = Diagnostic::error(Code("SL0221"), message).at(*span);
-        draft.consequence(Subject::Contact, error.help(help));
-        return None;
-    }
-    let (beams, surface) = match (slave, master) {
-        (Found::Facets(beams), Found::Rigid(surface)) => (beams, surface),
-        (Found::Rigid(surface), Found::Facets(beams)) => {
-            let name = &pairing.master.name;
-            let message = format!("contact is integrated along {name}, named slave or master");
-            let note = Diagnostic::note(Code("SL0335"), message).at(pairing.origin);
-            draft.log.push(note.help("the order of the two surfaces does not change the result"));
-            (beams, surface)
-        }
-        (Found::Rigid(_), Found::Rigid(_)) => {
-            let help = "at least one of them must be made of beams";
-            return refuse(
-                pairing.origin,
-                "two analytical surfaces cannot be in contact",
-                help,
-                draft,
-            );
-        }
-        (Found::Facets(_), Found::Facets(_)) => {
-            let message = "SURFACE TO SURFACE between two surfaces of beams is not supported";
-            let error = Diagnostic::error(Code("SL0221"), message).at(pairing.origin);
-            let help = "give TYPE=NODE TO SURFACE; or, if one of them is rigid, give its shape as \
-                        *SURFACE, TYPE=SEGMENTS with *RIGID BODY, ANALYTICAL SURFACE=";
-            draft.consequence(Subject::Contact, error.help(help));
-            return None;
-        }
-        (slave, _) => {
-            let nodes = if matches!(slave, Found::Nodes(_)) { &sides.slave } else { &sides.master };
-            let named =
-                if matches!(slave, Found::Nodes(_)) { &pairing.slave } else { &pairing.master };
-            let message =
-                format!("contact cannot be integrated along the node surface {}", named.name);
-            let error = Diagnostic::error(Code("SL0332"), message).at(named.span);
-            let help = "define it by elements, or give TYPE=NODE TO SURFACE";
-            draft.consequence(Subject::Contact, error.label(nodes.origin, "here").help(help));
-            return None;
-        }
-    };
-    let elements = in_order(contact_elements(&beams));
-    Some((Slaves { elements, ..Slaves::default() }, Master::RigidSurface(surface)))
-}
-
-/// Along the chain where the beams are one, else as they were named. Each
-/// element keeps its own direction.
-fn in_order(elements: Vec<ContactElement>) -> Vec<ContactElement> {
-    let facet = |&ContactElement { label, nodes, origin, .. }| Facet {
-        label,
-        nodes,
-        middle: None,
-        origin,
-        side: None,
-        face: None,
-    };
-    let facets: Vec<Facet> = elements.iter().map(facet).collect();
-    match Chain::find(&facets) {
-        Ok(chain) => chain.steps.iter().map(|&(place, _)| elements[place]).collect(),
-        Err(_) => elements,
-    }
 }

@@ -160,7 +160,7 @@ fn facets(surface: &NamedSurface, stretches: &[Stretch], draft: &mut Draft) -> O
         let all = elements_of(stretch, draft);
         let (rigid, others) = rigid_faces::apart(&all, draft);
         let (beams, others): (Vec<usize>, Vec<usize>) =
-            others.into_iter().partition(|&index| draft.elements[index].kind.is_beam());
+            others.into_iter().partition(|&index| draft.elements[index].kind.is_line());
         let without = |&&index: &&usize| !has_edges(draft.elements[index].kind);
         if let Some(&index) = others.iter().find(without) {
             no_surface(surface, index, stretch.span, draft);
@@ -215,7 +215,7 @@ fn no_surface(surface: &NamedSurface, index: usize, span: Span, draft: &mut Draf
         element.kind.name()
     );
     let error = Diagnostic::error(Code("SL0332"), message).at(span);
-    let help = "contact is between beams, faces of solids and, in the plane, analytical surfaces";
+    let help = "contact is between beams, trusses, faces of solids and analytical surfaces";
     draft.consequence(Subject::Elements, error.help(help));
 }
 
@@ -273,7 +273,7 @@ pub(super) fn stretches(
     let members: HashSet<NodeIndex> = nodes.iter().copied().collect();
     let mut reached = HashSet::new();
     let mut beams = Vec::new();
-    for element in draft.elements.iter().filter(|element| element.kind.is_beam()) {
+    for element in draft.elements.iter().filter(|element| element.kind.is_line()) {
         let Some((nodes, middle)) = draft.line_nodes(element) else { continue };
         if nodes.iter().all(|node| members.contains(node)) && nodes[0] != nodes[1] {
             let middle = middle.filter(|node| members.contains(node));

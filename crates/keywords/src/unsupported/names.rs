@@ -43,7 +43,7 @@ pub(super) const GROUPS: &[Group] = &[
         Ignored,
         "roles, edges and the way contact is imposed are those of docs/keywords/CONTACT.md, solids \
          have no thickness to set",
-        &["CONTACT FORMULATION", "CONTACT CONTROLS ASSIGNMENT", "SURFACE PROPERTY ASSIGNMENT"],
+        &["CONTACT FORMULATION", "CONTACT CONTROLS ASSIGNMENT"],
     ),
     (
         Ignored,

@@ -4,6 +4,7 @@
 use proptest::prelude::*;
 use slideline_mech::contact::friction::{Ellipse, FrictionLaw, Stick};
 use slideline_mech::contact::gap::Quadratic;
+use slideline_mech::contact::gap::offset::Offset;
 use slideline_mech::contact::normal::NormalLaw;
 use slideline_mech::contact::onset::Onset;
 use slideline_mech::contact::pair::{
@@ -38,7 +39,7 @@ fn circle() -> RigidSurface {
 fn overclosure_of_node(nodes: &[[f64; 3]], number: usize) -> f64 {
     let point = nodes[number - 1];
     let facing = circle().closest(&STILL, point).unwrap();
-    circle().gap::<Quadratic>(&STILL, &facing, point).unwrap().overclosure()
+    circle().gap::<Quadratic>(&STILL, &facing, (point, Offset::NONE)).unwrap().overclosure()
 }
 
 /// Requirement: initial overclosures of the IRS decks. Source: semantics, section 1, point 4.
@@ -61,7 +62,7 @@ fn initial_overclosure_of_the_1995_slide_line_deck() {
         let (s, c) = degrees.to_radians().sin_cos();
         let point = [9e-3 * s, 45e-3 - 9e-3 * c, 0.0];
         let piece = chain.closest(&nodes, Nearby::Positions, point).unwrap();
-        chain_gap::<Quadratic>(&chain, &piece, &nodes, point).unwrap()
+        chain_gap::<Quadratic>(&chain, &piece, &nodes, (point, Offset::NONE)).unwrap()
     };
     assert!((at(88.0).overclosure() - 8.667e-6).abs() < 6e-10);
     assert!((at(84.0).overclosure() + 7.289e-6).abs() < 6e-10);
@@ -80,7 +81,7 @@ fn smoothed_chain_is_continuous() {
         let x = 0.2 + f64::from(i) * 1.5e-4;
         let point = [x, 0.3, 0.0];
         let piece = chain.closest(&nodes, Nearby::Positions, point).unwrap();
-        let gap = chain_gap::<Quadratic>(&chain, &piece, &nodes, point).unwrap();
+        let gap = chain_gap::<Quadratic>(&chain, &piece, &nodes, (point, Offset::NONE)).unwrap();
         let values = chain_overclosure(&chain, &piece, &nodes, point).unwrap();
         assert_eq!(values, [gap.overclosure(), gap.along()[0]]);
         if let Some(before) = last {
@@ -100,7 +101,7 @@ fn coordinate_runs_on_at_a_joint() {
         let (s, c) = degrees.to_radians().sin_cos();
         let point = [9.01e-3 * s, 45e-3 + 9.01e-3 * c, 0.0];
         let facing = circle().closest(&STILL, point).unwrap();
-        circle().gap::<Quadratic>(&STILL, &facing, point).unwrap().along()[0]
+        circle().gap::<Quadratic>(&STILL, &facing, (point, Offset::NONE)).unwrap().along()[0]
     };
     for degrees in [0.5, 30.0, 89.999_999, 90.000_001, 120.0, 179.5] {
         assert!((along(degrees) - 9e-3 * f64::to_radians(degrees)).abs() < 1e-15, "{degrees}");
@@ -185,7 +186,7 @@ fn on_dofs(dofs: &[f64; 5], slip_origin: Option<f64>) -> Option<OnDofs> {
     let body = Body { reference: [0.3, -1.7, 0.0], dofs: [dofs[2], dofs[3], dofs[4]] };
     let point = [dofs[0], dofs[1], 0.0];
     let facing = surface().closest(&body, point)?;
-    let gap = surface().gap::<Quadratic>(&body, &facing, point)?;
+    let gap = surface().gap::<Quadratic>(&body, &facing, (point, Offset::NONE))?;
     let slave = Attachment::Point { map: PointMap::Free, first: 0 };
     let attachments = surface().attachments(&body, &facing, slave, 2)?;
     let slip = slip_origin.map_or(0.2, |origin| gap.along()[0] - origin);
@@ -211,7 +212,7 @@ proptest! {
         let chain = Chain::new(&reference, f, 0.1).unwrap();
         let point = [p.0, p.1, 0.0];
         if let Some(piece) = chain.closest(&nodes, Nearby::Positions, point) {
-            let gap = chain_gap::<Quadratic>(&chain, &piece, &nodes, point).unwrap();
+            let gap = chain_gap::<Quadratic>(&chain, &piece, &nodes, (point, Offset::NONE)).unwrap();
             let mut positions = vec![flat(point)];
             positions.extend(nodes[piece.nodes()].iter().copied().map(flat));
             let sum = balance(&force_and_tangent(&gap, slip).0, &positions);
@@ -230,8 +231,8 @@ proptest! {
         let point = [p.0, p.1, 0.0];
         if let Some(piece) = chain.closest(&nodes, Nearby::Positions, point) {
             let other = chain.closest(&there, Nearby::Positions, moved(point)).unwrap();
-            let a = chain_gap::<Quadratic>(&chain, &piece, &nodes, point).unwrap();
-            let b = chain_gap::<Quadratic>(&chain, &other, &there, moved(point)).unwrap();
+            let a = chain_gap::<Quadratic>(&chain, &piece, &nodes, (point, Offset::NONE)).unwrap();
+            let b = chain_gap::<Quadratic>(&chain, &other, &there, (moved(point), Offset::NONE)).unwrap();
             prop_assert!((a.overclosure() - b.overclosure()).abs() < 1e-13, "{piece:?} {other:?}");
             prop_assert!((a.along() - b.along()).size() < 1e-12);
         }
@@ -272,7 +273,7 @@ proptest! {
     fn no_nan(nodes in prop::collection::vec(prop::array::uniform3(prop::num::f64::NORMAL | prop::num::f64::ZERO), 4), point in prop::array::uniform3(-1e3..1e3_f64)) {
         let chain = Chain::new(&wavy(&[0.0; 8]), 0.2, 0.1).unwrap();
         if let Some(piece) = chain.closest(&nodes, Nearby::Positions, point)
-            && let Some(gap) = chain_gap::<Quadratic>(&chain, &piece, &nodes, point)
+            && let Some(gap) = chain_gap::<Quadratic>(&chain, &piece, &nodes, (point, Offset::NONE))
         {
             prop_assert!(gap.overclosure().is_finite() && gap.along().is_finite());
         }
@@ -285,7 +286,7 @@ proptest! {
     fn no_nan_on_rigid_surfaces(point in prop::array::uniform3(prop::num::f64::NORMAL | prop::num::f64::ZERO), dofs in prop::array::uniform3(-10.0..10.0_f64)) {
         let body = Body { reference: [0.0; 3], dofs };
         if let Some(facing) = surface().closest(&body, point)
-            && let Some(gap) = surface().gap::<Quadratic>(&body, &facing, point)
+            && let Some(gap) = surface().gap::<Quadratic>(&body, &facing, (point, Offset::NONE))
         {
             prop_assert!(gap.overclosure().is_finite() && gap.along().is_finite());
         }

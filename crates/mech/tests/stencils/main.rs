@@ -6,6 +6,7 @@ mod derivatives;
 mod heated;
 mod lines;
 mod mixed;
+mod offset;
 mod orientation;
 mod solids;
 mod space_beams;

@@ -52,6 +52,7 @@ fn pair(nodes: &[NodeIndex], master: Master) -> ContactPair {
         elements: elements.collect(),
         adjust: crate::Adjust::Nothing,
         corners: Vec::new(),
+        offset: crate::Offset::NONE,
         slaves: Vec::new(),
         faces: Vec::new(),
         master,

@@ -23,6 +23,10 @@ pub fn pair_echo(model: &Model, pair: &ContactPair) -> String {
     line!(text, "  master   {}", master(model, &pair.master));
     let interaction = &pair.interaction;
     line!(text, "  width    {}", number(interaction.width));
+    if !pair.offset.is_none() {
+        let [slave, master] = [pair.offset.slave, pair.offset.master].map(number);
+        line!(text, "  offset   surfaces stand off: slave by {slave}, master by {master}");
+    }
     line!(text, "  normal   {}", normal_law(&interaction.normal));
     if interaction.no_separation {
         line!(text, "           what has closed stays closed and carries tension");

@@ -1,7 +1,9 @@
 //! Contact: laws, searches and pairs, each judged on what runs leave.
 
 mod adjust;
+mod along_beams;
 mod analytical_in_space;
+mod beam_contact_in_space;
 mod change_friction;
 mod changed_properties;
 mod contact_in_space;
@@ -26,7 +28,9 @@ mod self_contact;
 mod solid_contact;
 mod space_decks;
 mod strip;
+mod strip_reference;
 mod supported_slaves;
+mod thickness;
 mod two_blocks;
 mod two_coefficients;
 mod valleys;

@@ -45,6 +45,7 @@ fn contact() -> ContactPair {
         vocabulary: Vocabulary::Elements,
         adjust: slideline_model::Adjust::Nothing,
         corners: Vec::new(),
+        offset: slideline_model::Offset::NONE,
         slaves: Vec::new(),
         faces: Vec::new(),
         elements: vec![element([3, 4]), element([4, 5])],

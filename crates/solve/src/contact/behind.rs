@@ -5,6 +5,7 @@ use super::master::MasterSurface;
 use super::pairs::{Contact, SlavePoint};
 use super::positions::distance;
 use crate::state::PointState;
+use slideline_mech::contact::gap::offset::Offset;
 use slideline_mech::contact::search::pass::cross_faces;
 use slideline_mech::contact::search::sweep::{cross_chain, cross_parts};
 use slideline_model::Presence;
@@ -13,9 +14,13 @@ use slideline_model::Presence;
 const OUTLINE: usize = 64;
 
 /// Whether a slave node that faced nothing before lies behind what it faces now.
-fn stands_behind(point: &SlavePoint, before: &PointState, now: &PointKinematics) -> bool {
+fn stands_behind(
+    (point, offset): (&SlavePoint, Offset),
+    before: &PointState,
+    now: &PointKinematics,
+) -> bool {
     let aside = before.along.is_none() && !before.closed && point.is_node();
-    aside && now.faces && now.overclosure > 0.0
+    aside && now.faces && now.overclosure > offset.both()
 }
 
 impl Contact {
@@ -76,7 +81,7 @@ impl Contact {
     ) {
         for (place, point) in self.points.iter().enumerate() {
             let now = kinematics.points()[place];
-            if stands_behind(point, &before[place], &now) {
+            if stands_behind((point, self.offsets[point.pair]), &before[place], &now) {
                 let start = self.slave(point, 0.0, from).position;
                 if !self.enters(point, (start, now.position), (from, u)) {
                     kinematics.at_mut(place).turn_away_in_place();
@@ -95,7 +100,8 @@ impl Contact {
     ) {
         for (place, point) in self.points.iter().enumerate() {
             let now = kinematics.points()[place];
-            if presence.has_pair(point.pair) && stands_behind(point, &before[place], &now) {
+            let own = (point, self.offsets[point.pair]);
+            if presence.has_pair(point.pair) && stands_behind(own, &before[place], &now) {
                 kinematics.at_mut(place).turn_away_in_place();
             }
         }

@@ -170,7 +170,7 @@ impl Contact {
         }
         let master = &self.masters[point.pair];
         let MasterSurface::Line { nodes, offset, .. } = master else { return None };
-        let Carrier::Node { position, dofs } = &point.carrier else { return None };
+        let Carrier::Node { position, dofs, .. } = &point.carrier else { return None };
         let at = dofs.displace(*position, u);
         let own = positions.nodes.get(*offset..offset + nodes.len())?;
         let known = self.outlook(point, u);

@@ -48,7 +48,9 @@ impl Contact {
             }
         }
         for (place, point) in self.points.iter().enumerate() {
-            let Carrier::Node { dofs: own, .. } = &point.carrier else { continue };
+            let Carrier::Node { dofs: own, section, .. } = &point.carrier else { continue };
+            let turn =
+                section.iter().take(1).filter(|(_, weight)| *weight != 0.0).map(|(dof, _)| dof);
             if let Some(mortar) = point.mortar {
                 self.add_mortar_clique((mortar, place), near, constraints, &mut cliques);
                 continue;
@@ -67,7 +69,7 @@ impl Contact {
                     }
                 }
                 MasterSurface::Body { dofs, .. } => {
-                    cliques.add(constraints, own.as_slice().iter().chain(dofs));
+                    cliques.add(constraints, own.as_slice().iter().chain(turn).chain(dofs));
                 }
                 MasterSurface::Line { nodes, .. } => {
                     let all = 0..nodes.len();
@@ -78,7 +80,8 @@ impl Contact {
                     let window = range.len().min(3);
                     for window in nodes[range].windows(window.max(1)) {
                         let facing = window.iter().flat_map(|(_, dofs)| dofs.as_slice());
-                        cliques.add(constraints, own.as_slice().iter().chain(facing));
+                        let own = own.as_slice().iter().chain(turn.clone());
+                        cliques.add(constraints, own.chain(facing));
                     }
                 }
             }

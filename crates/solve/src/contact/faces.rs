@@ -129,7 +129,7 @@ impl Contact {
     ) {
         let point = &self.points[place];
         let mut into = into.at_mut(place);
-        let Carrier::Node { position, dofs } = &point.carrier else { return };
+        let Carrier::Node { position, dofs, .. } = &point.carrier else { return };
         let at = dofs.displace(*position, u);
         into.point.position = at;
         let held = before.face(place);
@@ -219,7 +219,7 @@ impl Contact {
         into: &mut Vec<usize>,
     ) {
         let point = &self.points[place];
-        let Carrier::Node { position, dofs } = &point.carrier else { return };
+        let Carrier::Node { position, dofs, .. } = &point.carrier else { return };
         let at = dofs.displace(*position, u);
         let (mut room, known) = (FaceRoom::default(), self.outlook(point, u));
         let outlook = Outlook::of(&known);

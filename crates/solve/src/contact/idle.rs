@@ -107,7 +107,7 @@ impl Contact {
 
     fn stays_open(&self, place: usize, kinematics: &PointRows<'_>, u: &[f64], look: &Look) -> bool {
         let point = &self.points[place];
-        let Carrier::Node { position, dofs } = &point.carrier else { return false };
+        let Carrier::Node { position, dofs, section } = &point.carrier else { return false };
         if !kinematics.faces || !self.may_be_left(place) {
             return false;
         }
@@ -126,7 +126,8 @@ impl Contact {
                     way
                 };
                 let way = moved(own);
-                let facing = kinematics.rows.unknowns[own.len()..].chunks_exact(own.len());
+                let of_slave = own.len() + usize::from(section[0].1 != 0.0);
+                let facing = kinematics.rows.unknowns[of_slave..].chunks_exact(own.len());
                 facing.map(|own| square(way, moved(own))).fold(0.0, f64::max).sqrt()
             }
         };

@@ -9,9 +9,12 @@
 //! docs/theory.md eqs (5.40) and (5.41).
 
 use super::before::Before;
-use super::pairs::{Allowance, Contact};
+use super::master::MasterSurface;
+use super::pairs::{Allowance, Contact, SlavePoint};
 use super::positions::MasterPositions;
-use crate::state::State;
+use super::segment::{SEGMENT_POINTS, SlaveSegment};
+use crate::state::{PointState, State};
+use slideline_mech::contact::pair::Body;
 use slideline_model::{Allowed, Model, Step};
 
 impl Allowance {
@@ -36,11 +39,13 @@ impl Contact {
                 Allowed::Initial => overlap[place].max(0.0),
                 Allowed::Value(value) => value,
             };
-            let of_pair = |&place: &usize| self.points[place].pair == own.pair;
-            let places = (0..self.points.len()).filter(of_pair);
+            let has_own =
+                |point: &SlavePoint| point.pair == own.pair && !point.is_integration_point();
+            let places = (0..self.points.len()).filter(|&place| has_own(&self.points[place]));
             let points = places.map(|place| (place, allowed(place))).collect();
             let amplitude = own.amplitude.and_then(|place| model.amplitudes.get(place)).cloned();
-            self.allowances.push(Allowance { points, amplitude });
+            let (pair, allowed, factors) = (own.pair, own.allowed, [0.0; 2]);
+            self.allowances.push(Allowance { pair, allowed, points, factors, amplitude });
         }
         self.allow((0.0, 0.0), step.procedure.period);
     }
@@ -55,14 +60,39 @@ impl Contact {
 
     /// Allows what belongs to the end of an increment between two times of a step [T].
     pub(super) fn allow(&mut self, (before, now): (f64, f64), period: f64) {
-        for (time, into) in [(before, &mut self.allowed_before), (now, &mut self.allowed)] {
+        let lists = [(before, &mut self.allowed_before), (now, &mut self.allowed)];
+        for (end, (time, into)) in lists.into_iter().enumerate() {
             into.clear();
             into.resize(self.points.len(), 0.0);
-            for allowance in &self.allowances {
+            for allowance in &mut self.allowances {
                 let factor = allowance.factor(time, period);
+                allowance.factors[end] = factor;
                 allowance.points.iter().for_each(|&(place, whole)| into[place] += factor * whole);
             }
         }
+    }
+
+    /// The overclosure that is allowed at a place of an element along which contact is integrated:
+    /// what the line overlaps by there before anything moves, or a value, before an increment (0) or
+    /// at its end (1) [L].
+    pub(super) fn allowed_along(&self, segment: &SlaveSegment, xi: f64, end: usize) -> f64 {
+        let own = self.allowances.iter().filter(|own| own.pair == segment.pair);
+        let whole = |own: &Allowance| match own.allowed {
+            Allowed::Initial => self.overlap_at_rest(segment, xi).max(0.0),
+            Allowed::Value(value) => value,
+        };
+        own.map(|own| own.factors[end] * whole(own)).sum()
+    }
+
+    /// By how much a place of an element overlaps its master before anything moves [L].
+    fn overlap_at_rest(&self, segment: &SlaveSegment, xi: f64) -> f64 {
+        let MasterSurface::Body { reference, surface, .. } = &self.masters[segment.pair] else {
+            return 0.0;
+        };
+        let body = Body { reference: *reference, dofs: [0.0; 3] };
+        let [x, y] = segment.line.reference(xi);
+        let of_line = surface.overclosure(&body, [x, y, 0.0]);
+        of_line.map_or(0.0, |of_line| of_line + segment.offset.both())
     }
 
     /// The overclosure that is allowed at a point [L].
@@ -73,11 +103,33 @@ impl Contact {
     /// Work that the parts are pressed apart with as less and less overclosure is allowed, by the
     /// trapezoidal rule [F L].
     pub fn interference_work(&self, committed: &State, trial: &State) -> f64 {
+        self.work_at_points(committed, trial) + self.work_along(committed, trial)
+    }
+
+    /// That of points which stay where they are on the slave.
+    fn work_at_points(&self, committed: &State, trial: &State) -> f64 {
         let force = |state: &State, place: usize| {
             state.points.get(place).map_or(0.0, |now| now.area * now.pressure)
         };
         let taken = self.allowed_before.iter().zip(&self.allowed).map(|(then, now)| then - now);
         let mean = |place| 0.5 * (force(committed, place) + force(trial, place));
         taken.enumerate().map(|(place, taken)| mean(place) * taken).sum()
+    }
+
+    /// That of contact which is integrated along elements.
+    fn work_along(&self, committed: &State, trial: &State) -> f64 {
+        if self.allowances.is_empty() {
+            return 0.0;
+        }
+        let taken = |segment: &SlaveSegment, point: &PointState| {
+            let allowed = |end: usize| self.allowed_along(segment, point.xi, end);
+            point.area * point.pressure * (allowed(0) - allowed(1))
+        };
+        let of_state = |segment: &SlaveSegment, state: &State| {
+            let own = state.points.get(segment.first..segment.first + SEGMENT_POINTS);
+            own.into_iter().flatten().map(|point| taken(segment, point)).sum::<f64>()
+        };
+        let both = |own: &SlaveSegment| of_state(own, committed) + of_state(own, trial);
+        0.5 * self.segments.iter().map(both).sum::<f64>()
     }
 }

@@ -164,10 +164,10 @@ impl PointKinematics {
     }
 
     /// Takes a gap in.
-    pub(super) fn take(&mut self, gap: &AnyGap<Linear>, facing: Facing) {
+    pub(super) fn take(&mut self, gap: &AnyGap<Linear>, facing: Facing, along: Tangential) {
         self.faces = true;
         self.overclosure = gap.overclosure();
-        self.along = gap.along();
+        self.along = along;
         self.normal = gap.normal();
         self.facing = Some(facing);
     }
@@ -235,6 +235,23 @@ impl PointRowsMut<'_> {
         );
         if let Some(shear) = stencil.shear {
             self.follow_shear(shear, u);
+        }
+        if stencil.offset.slave != 0.0 {
+            self.follow_section(stencil);
+        }
+    }
+
+    /// Slip and friction of a surface that stands off its line follow the rotation of the section:
+    /// docs/theory.md eq. (5.45).
+    fn follow_section(&mut self, stencil: &Stencil<'_>) {
+        let count = self.rows.unknowns().len();
+        for (dof, weight) in stencil.section {
+            let Some(place) = self.rows.unknowns().iter().position(|&own| own == dof) else {
+                continue;
+            };
+            let arm = weight * stencil.offset.slave;
+            let tangential = self.rows.values().chunks_exact_mut(count).skip(1);
+            tangential.for_each(|row| row[place] += arm);
         }
     }
 

@@ -254,7 +254,7 @@ impl MasterSurface {
         match (self, facing) {
             (Self::Body { dofs, surface, .. }, Facing::Surface(facing)) => {
                 let body = self.placed_body(u);
-                let gap = surface.gap(&body, facing, stencil.position)?;
+                let gap = surface.gap(&body, facing, (stencil.position, stencil.offset))?;
                 let first = stencil.width();
                 stencil.attachments = surface.attachments(&body, facing, slave, first);
                 stencil.add_from(dofs, u);
@@ -262,7 +262,8 @@ impl MasterSurface {
             }
             (Self::Line { chain, nodes, offset, .. }, Facing::Piece(piece)) => {
                 let positions = positions.get(*offset..offset + nodes.len())?;
-                let gap = chain_gap(chain, piece, positions, stencil.position)?;
+                let point = (stencil.position, stencil.offset);
+                let gap = chain_gap(chain, piece, positions, point)?;
                 let mut control = [slave; 3];
                 let facing = &nodes[piece.nodes()];
                 for (attachment, (_, dofs)) in control.iter_mut().zip(facing) {

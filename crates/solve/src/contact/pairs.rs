@@ -5,17 +5,25 @@ use super::mortar::slave::Mortar;
 use super::mortar_faces::slave::FaceMortar;
 use super::segment::{SEGMENT_POINTS, SlaveSegment};
 use super::slave_face::SlaveFace;
+use super::stencil::SectionTurn;
 use crate::dofs::Translations;
 use crate::state::PointState;
 use slideline_mech::contact::friction::FrictionLaw;
+use slideline_mech::contact::gap::offset::Offset;
 use slideline_mech::contact::pair::Laws;
-use slideline_model::{Amplitude, ContactPair, Formulation, NodeIndex};
+use slideline_model::{Allowed, Amplitude, ContactPair, Formulation, NodeIndex};
 
 /// What is allowed of overclosure at the points of a pair.
 #[derive(Clone, Debug)]
 pub(super) struct Allowance {
-    /// Points and their overclosures at the start of the step [L].
+    /// Place of the pair in the model.
+    pub pair: usize,
+    /// What is allowed at the start of the step.
+    pub allowed: Allowed,
+    /// Points and their overclosures at the start of the step [L]; not those that are integrated.
     pub points: Vec<(usize, f64)>,
+    /// Parts of it that are allowed before an increment and at its end [1].
+    pub factors: [f64; 2],
     /// How they change over the step; without one straight to zero.
     pub amplitude: Option<Amplitude>,
 }
@@ -64,7 +72,7 @@ impl SlavePoint {
 #[derive(Clone, Debug)]
 pub(super) enum Carrier {
     /// A node, free or on a rigid body.
-    Node { position: [f64; 3], dofs: Translations },
+    Node { position: [f64; 3], dofs: Translations, section: SectionTurn },
     /// A Gauss point of a cell of a segment.
     IntegrationPoint { segment: usize },
 }
@@ -95,6 +103,8 @@ pub struct Contact {
     /// Tangential directions of a point: one in the plane.
     pub directions: usize,
     pub(super) masters: Vec<MasterSurface>,
+    /// How far the surfaces stand off the lines of beams, a pair each.
+    pub(super) offsets: Vec<Offset>,
     /// Faces of the slave surfaces of contact at nodes.
     pub(super) slave_faces: Vec<SlaveFace>,
     /// Masters that have a sharp edge, a pair each.
@@ -129,6 +139,14 @@ impl Contact {
     /// Number of pairs.
     pub fn pair_count(&self) -> usize {
         self.keeps.len()
+    }
+
+    /// How far the surface on which friction acts stands off a slave point [L].
+    pub fn standoff_of(&self, point: &SlavePoint) -> f64 {
+        match &point.carrier {
+            Carrier::Node { section, .. } if section[0].1 == 0.0 => 0.0,
+            _ => self.offsets[point.pair].slave,
+        }
     }
 
     /// Whether a node belongs to the slave surface of a pair whose contact is spread over its faces;

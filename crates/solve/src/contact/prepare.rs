@@ -7,10 +7,11 @@ use super::mortar_faces::slave::FaceMortar;
 use super::pairs::{Carrier, Contact, SlavePoint};
 use super::segment::{CELLS, SEGMENT_POINTS, SlaveSegment};
 use super::shear::{Shear, sheared_beams};
+use super::stencil::{NO_TURN, SectionTurn};
 use crate::dofs::{DofMap, rigid_dofs};
 use crate::users::UserFrictions;
 use slideline_mech::contact::points::integration_points::{HermiteLine, POINTS};
-use slideline_model::{ContactPair, Formulation, Master, Model, NodeIndex};
+use slideline_model::{ContactPair, Dof, Formulation, Master, Model, NodeIndex};
 use std::collections::{HashMap, HashSet};
 
 impl Contact {
@@ -29,6 +30,7 @@ impl Contact {
             state_size: 0,
             directions: if model.is_in_space() { 2 } else { 1 },
             masters: Vec::new(),
+            offsets: Vec::new(),
             slave_faces: Vec::new(),
             sharp: Vec::new(),
             mortars: Vec::new(),
@@ -66,6 +68,7 @@ impl Contact {
             contact.chain_nodes += master.nodes().len();
             contact.spacing.push(laws::spacing(model, length, &master));
             contact.masters.push(master);
+            contact.offsets.push(pair.offset);
             contact.take_axes(model, place);
             contact.take_seats(place, pair);
             contact.add_slave_faces(dofs, place, pair);
@@ -113,8 +116,9 @@ impl Contact {
         self.edges[place] = elements.map(|own| own.nodes.map(|node| points[&node])).collect();
         self.points.reserve(nodes.len());
         for node in nodes {
+            let section = section_of(dofs, node, pair);
             let (position, dofs) = ([0.0; 3], dofs.translations(node));
-            self.add_point(place, pair, node, Carrier::Node { position, dofs });
+            self.add_point(place, pair, node, Carrier::Node { position, dofs, section });
         }
     }
 
@@ -124,7 +128,8 @@ impl Contact {
         let first = self.points.len();
         self.add_nodes(dofs, place, pair);
         for &node in &pair.corners {
-            let carrier = Carrier::Node { position: [0.0; 3], dofs: dofs.translations(node) };
+            let (position, dofs) = ([0.0; 3], dofs.translations(node));
+            let carrier = Carrier::Node { position, dofs, section: NO_TURN };
             self.add_point(place, pair, node, carrier);
         }
         let nodes = &self.slave_nodes[place][..];
@@ -192,6 +197,7 @@ impl Contact {
                 dofs: [a[0], a[1], a[2], b[0], b[1], b[2]],
                 shear: Shear::new(model, dofs, element.nodes, &beams),
                 width: pair.interaction.width,
+                offset: pair.offset,
                 first,
             });
         }
@@ -220,9 +226,17 @@ impl Contact {
             self.take_axes(model, index);
             self.spacing[index] = laws::spacing(model, length, &self.masters[index]);
             self.take_laws((model, pair), (index, length), users);
+            self.offsets[index] = pair.offset;
         }
         self.take_slave_faces(model);
         self.take_bonds();
         Ok(())
     }
+}
+
+/// The rotation that carries the surface of a beam about a slave node; none where the surface is its
+/// line, or no section turns there.
+fn section_of(dofs: &DofMap, node: NodeIndex, pair: &ContactPair) -> SectionTurn {
+    let turn = dofs.find(node, Dof::UR3).filter(|_| pair.offset.slave != 0.0);
+    turn.map_or(NO_TURN, |dof| [(dof, 1.0), (dof, 0.0), (dof, 0.0)])
 }

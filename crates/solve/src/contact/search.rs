@@ -17,9 +17,10 @@ impl Contact {
     #[inline]
     pub(super) fn slave(&self, point: &SlavePoint, xi: f64, u: &[f64]) -> Stencil<'_> {
         match &point.carrier {
-            Carrier::Node { position, dofs } => {
+            Carrier::Node { position, dofs, section } => {
                 let mut stencil = Stencil::new(dofs.displace(*position, u));
                 stencil.add_from(dofs.as_slice(), u);
+                stencil.carry(self.offsets[point.pair], *section, u);
                 stencil
             }
             Carrier::IntegrationPoint { segment } => {
@@ -32,7 +33,7 @@ impl Contact {
     /// Where a slave point stands [L].
     pub(super) fn place(&self, point: &SlavePoint, xi: f64, u: &[f64]) -> [f64; 3] {
         match &point.carrier {
-            Carrier::Node { position, dofs } => dofs.displace(*position, u),
+            Carrier::Node { position, dofs, .. } => dofs.displace(*position, u),
             Carrier::IntegrationPoint { segment } => {
                 let segment = &self.segments[*segment];
                 segment.line.bent(&segment.ends(u)).position(xi)
@@ -86,6 +87,18 @@ impl Contact {
         history: &History,
         along: Tangential,
     ) -> Tangential {
+        let slip = self.way_along(point, history, along);
+        let offset = self.offsets[point.pair];
+        match history.along {
+            Some(from) if offset.slave != 0.0 => {
+                Tangential::along(slip[0] + offset.way(from[1], along[1]))
+            }
+            _ => slip,
+        }
+    }
+
+    /// The same of the coordinates along the master alone.
+    fn way_along(&self, point: &SlavePoint, history: &History, along: Tangential) -> Tangential {
         match (&self.masters[point.pair], history.along) {
             (MasterSurface::Line { chain, itself: Some(own), .. }, Some(from)) => {
                 Tangential([own.slip(chain, from[0], along[0]), 0.0])

@@ -8,7 +8,9 @@
 //! ```
 
 use super::shear::{Shear, TURNS};
-use super::stencil::Stencil;
+use super::stencil::{SectionTurn, Stencil};
+use crate::state::PointState;
+use slideline_mech::contact::gap::offset::Offset;
 use slideline_mech::contact::points::integration_points::{
     GAUSS, HermiteLine, POINTS, closed_part_between,
 };
@@ -31,6 +33,8 @@ pub struct SlaveSegment {
     pub shear: Option<Shear>,
     /// Out-of-plane width [L].
     pub width: f64,
+    /// How far surfaces stand off its line and its master.
+    pub offset: Offset,
     /// Its first point; cell by cell, Gauss point by Gauss point.
     pub first: usize,
 }
@@ -73,7 +77,23 @@ impl SlaveSegment {
         let mut stencil = Stencil::new(self.line.bent(ends).position(xi));
         stencil.add(&self.dofs, *ends);
         stencil.shear = self.shear.as_ref();
+        stencil.offset = self.offset;
+        stencil.section = self.section_turn(xi);
         stencil
+    }
+
+    /// The rotation of the section at `xi`, as the rotations of its nodes make it.
+    fn section_turn(&self, xi: f64) -> SectionTurn {
+        let [first, last] = TURNS.map(|turn| self.dofs[turn]);
+        let rest = 1.0 - xi;
+        match self.shear.as_ref().and_then(Shear::middle) {
+            None => [(first, rest), (last, xi), (last, 0.0)],
+            Some(middle) => [
+                (first, rest * (1.0 - 2.0 * xi)),
+                (middle, 4.0 * xi * rest),
+                (last, xi * (2.0 * xi - 1.0)),
+            ],
+        }
     }
 
     /// All dofs that its line follows.
@@ -82,27 +102,47 @@ impl SlaveSegment {
         self.dofs.iter().chain(further)
     }
 
+    /// The part of a cell, in its own coordinate, whose points were closed at the last commit.
+    pub(super) fn closed_before(&self, cell: usize, points: &[PointState]) -> Option<(f64, f64)> {
+        let own = points.get(self.first + cell * POINTS..)?.get(..POINTS)?;
+        if !own.iter().any(|point| point.closed) {
+            return None;
+        }
+        let at = |point: &PointState| point.xi * CELLS as f64 - cell as f64;
+        let (first, last) = (at(&own[0]), at(&own[POINTS - 1]));
+        let length = (last - first) / (GAUSS[POINTS - 1].0 - GAUSS[0].0);
+        let begin = first - GAUSS[0].0 * length;
+        Some((begin.clamp(0.0, 1.0), (begin + length).clamp(0.0, 1.0)))
+    }
+
     /// Places the integration points of the segment where `beyond`, the overclosure
     /// beyond the point where contact begins at a place on it, lets them
-    /// follow the closed part of their cells, and says which integration points contact
-    /// may reach in an iteration: `place(integration_point, xi, area)`.
+    /// follow the closed part of their cells, joined with what `kept` of a cell does not separate, and
+    /// says which integration points contact may reach in an iteration:
+    /// `place(integration_point, xi, area)`.
     pub(super) fn place_integration_points(
         &self,
         beyond: impl Fn(f64) -> f64,
+        kept: impl Fn(usize) -> Option<(f64, f64)>,
         mut place: impl FnMut(usize, f64, f64),
     ) {
         let length = self.line.length();
-        if top_of_parabola([beyond(0.0), beyond(0.5), beyond(1.0)]) < -NEAR * length {
-            return;
-        }
+        let is_far = |ends: [f64; 3]| top_of_parabola(ends) < -NEAR * length;
+        let all_far = is_far([beyond(0.0), beyond(0.5), beyond(1.0)]);
         for cell in 0..CELLS {
+            let kept = kept(cell);
+            if all_far && kept.is_none() {
+                continue;
+            }
             let at = |t: f64| (cell as f64 + t) / CELLS as f64;
             let ends = [beyond(at(0.0)), beyond(at(0.5)), beyond(at(1.0))];
-            if top_of_parabola(ends) < -NEAR * length {
+            if is_far(ends) && kept.is_none() {
                 continue;
             }
             let part = closed_part_between(|t| beyond(at(t)), ends);
-            let (begin, end) = part.unwrap_or((0.0, 1.0));
+            let both = part.into_iter().chain(kept);
+            let both = both.reduce(|one, other| (one.0.min(other.0), one.1.max(other.1)));
+            let (begin, end) = both.unwrap_or((0.0, 1.0));
             for (k, (t, weight)) in GAUSS.into_iter().enumerate() {
                 let area = self.width * length * weight * (end - begin) / CELLS as f64;
                 place(cell * POINTS + k, at(begin + t * (end - begin)), area);

@@ -75,6 +75,12 @@ impl Shear {
         }
     }
 
+    /// The rotation of the middle node of its own beam, where that has one.
+    pub fn middle(&self) -> Option<usize> {
+        let [.., (middle, _), _] = self.slopes.beams[1]?.rotations;
+        Some(self.further[middle.checked_sub(DIRECT)?])
+    }
+
     fn values(&self, dofs: &[usize], u: &[f64]) -> [f64; MOST_SLOPE_DOFS] {
         let mut values = [0.0; MOST_SLOPE_DOFS];
         for (value, &dof) in values.iter_mut().zip(&dofs[..6]) {

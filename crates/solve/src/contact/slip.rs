@@ -32,7 +32,7 @@ impl Contact {
         let mut stencil = self.slave(point, kinematics.xi, committed);
         let before =
             self.face(point, kinematics.xi, committed, &MasterPositions::default(), &mut stencil);
-        let along = before.map(|(gap, _)| gap.along());
+        let along = before.map(|(gap, _)| stencil.along(&gap, committed));
         self.change(point, &History { along, ..*history }, kinematics.along)
     }
 
@@ -52,7 +52,7 @@ impl Contact {
             let along = |u: &[f64]| {
                 let mut stencil = self.slave(point, old.xi, u);
                 let gap = self.face(point, old.xi, u, &none, &mut stencil);
-                gap.map(|(gap, _)| gap.along())
+                gap.map(|(gap, _)| stencil.along(&gap, u))
             };
             (History { along: along(from), ..History::default() }, along(to))
         } else {

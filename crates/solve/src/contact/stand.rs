@@ -20,7 +20,7 @@ impl Contact {
     pub fn forget(&self, kinematics: &mut ContactKinematics) {
         let room = |point: &SlavePoint| {
             let own = match &point.carrier {
-                Carrier::Node { dofs, .. } => dofs.as_slice().len(),
+                Carrier::Node { dofs, .. } => dofs.as_slice().len() + 1,
                 Carrier::IntegrationPoint { segment } => self.segments[*segment].all_dofs().count(),
             };
             own + self.masters[point.pair].most_dofs()
@@ -50,7 +50,7 @@ impl Contact {
             }
         }
         for segment in &self.segments {
-            self.locate_segment(segment, u, into);
+            self.locate_segment(segment, (u, before), into);
         }
     }
 
@@ -115,7 +115,7 @@ impl Contact {
         let mut stencil = self.slave(point, xi, u);
         kinematics.position = stencil.position;
         if let Some((gap, facing)) = self.face(point, xi, u, positions, &mut stencil) {
-            kinematics.take(&gap, facing);
+            kinematics.take(&gap, facing, stencil.along(&gap, u));
         }
         kinematics
     }
@@ -137,6 +137,7 @@ impl Contact {
             return false;
         }
         let beyond = self.masters[point.pair].beyond_end(stencil.position, u, &positions.nodes);
+        let begins = begins - self.offsets[point.pair].both();
         beyond.is_some_and(|overclosure| overclosure > begins - slack)
     }
 
@@ -156,7 +157,13 @@ impl Contact {
         let mut stencil = self.slave(point, into.point.xi, u);
         self.locate_stencil(point, &mut stencil, (u, positions), &mut into);
         if into.point.faces {
-            into.point.allow(self.allowed_at(place));
+            let allowed = match &point.carrier {
+                Carrier::Node { .. } => self.allowed_at(place),
+                Carrier::IntegrationPoint { segment } => {
+                    self.allowed_along(&self.segments[*segment], into.point.xi, 1)
+                }
+            };
+            into.point.allow(allowed);
         }
     }
 
@@ -175,7 +182,7 @@ impl Contact {
         };
         match master.gap(&facing, slave, (u, &positions.nodes), stencil) {
             Some(gap) => {
-                into.point.take(&gap, facing);
+                into.point.take(&gap, facing, stencil.along(&gap, u));
                 into.take(&gap, stencil, u);
             }
             None => into.turn_away_in_place(),
@@ -184,10 +191,16 @@ impl Contact {
 
     /// Integration points follow the closed part of their cells; those of cells that
     /// contact cannot reach in an iteration face nothing.
-    fn locate_segment(&self, segment: &SlaveSegment, u: &[f64], into: &mut ContactKinematics) {
+    fn locate_segment(
+        &self,
+        segment: &SlaveSegment,
+        (u, before): (&[f64], Before<'_>),
+        into: &mut ContactKinematics,
+    ) {
         let own = segment.first..segment.first + SEGMENT_POINTS;
         own.for_each(|place| into.at_mut(place).turn_away());
-        let begins = self.laws[segment.pair].normal.contact_begins();
+        let (law, offset) = (&self.laws[segment.pair].normal, self.offsets[segment.pair]);
+        let begins = law.contact_begins() - offset.both();
         let master = &self.masters[segment.pair];
         let MasterSurface::Body { surface, .. } = master else { return };
         let body = master.placed_body(u);
@@ -195,15 +208,21 @@ impl Contact {
         let bent = segment.line.bent(&ends);
         let beyond = |xi: f64| {
             let overclosure = surface.overclosure(&body, bent.position(xi));
-            overclosure.unwrap_or(f64::NEG_INFINITY) - begins
+            let allowed = self.allowed_along(segment, xi, 1);
+            overclosure.unwrap_or(f64::NEG_INFINITY) - allowed - begins
         };
+        let keeps = self.keeps[segment.pair];
+        let kept = |cell: usize| segment.closed_before(cell, before.points).filter(|_| keeps);
         let none = MasterPositions::default();
-        segment.place_integration_points(beyond, |integration_point, xi, area| {
+        segment.place_integration_points(beyond, kept, |integration_point, xi, area| {
             let place = segment.first + integration_point;
             let mut into = into.at_mut(place);
             (into.point.xi, into.point.area) = (xi, area);
             let (point, mut stencil) = (&self.points[place], segment.stencil(&ends, xi));
             self.locate_stencil(point, &mut stencil, (u, &none), &mut into);
+            if into.point.faces {
+                into.point.allow(self.allowed_along(segment, xi, 1));
+            }
         });
     }
 }

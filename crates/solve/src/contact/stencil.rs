@@ -1,8 +1,11 @@
 //! The dofs that a slave point and what it faces depend on.
 
 use super::shear::Shear;
-use slideline_mech::contact::pair::StencilAttachments;
+use slideline_mech::contact::gap::Linear;
+use slideline_mech::contact::gap::offset::Offset;
+use slideline_mech::contact::pair::{AnyGap, StencilAttachments};
 use slideline_mech::contact::points::slopes::MOST_SLOPE_DOFS;
+use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::rigid::Attachment;
 
 /// The most dofs that a gap in the plane follows directly, those of shear left out.
@@ -20,7 +23,16 @@ pub struct Stencil<'a> {
     pub attachments: Option<StencilAttachments>,
     /// The shear that turns the line of a segment beyond its rotations.
     pub shear: Option<&'a Shear>,
+    /// How far the surfaces stand off the point and its master.
+    pub offset: Offset,
+    /// Rotations of the slave's sections with their weights at the point; of none, weights zero.
+    pub section: SectionTurn,
 }
+
+/// The rotation of a section: dofs with their weights.
+pub type SectionTurn = [(usize, f64); 3];
+/// No rotation.
+pub const NO_TURN: SectionTurn = [(0, 0.0); 3];
 
 impl<'a> Stencil<'a> {
     /// The stencil of a slave point at `position`.
@@ -33,6 +45,8 @@ impl<'a> Stencil<'a> {
             values: [0.0; MOST_DIRECT],
             attachments: None,
             shear: None,
+            offset: Offset::NONE,
+            section: NO_TURN,
         }
     }
 
@@ -59,6 +73,29 @@ impl<'a> Stencil<'a> {
             all[self.width..][..shear.further.len()].copy_from_slice(&shear.further);
         }
         all
+    }
+
+    /// Takes in how far surfaces stand off, and the rotation of a node's section. Friction of a node
+    /// that has none, as of a truss, acts on its line.
+    pub fn carry(&mut self, offset: Offset, section: SectionTurn, u: &[f64]) {
+        let [(dof, weight), ..] = section;
+        if weight == 0.0 {
+            self.offset = Offset { slave: 0.0, master: offset.both() };
+            return;
+        }
+        (self.offset, self.section) = (offset, section);
+        self.add_from(&[dof], u);
+    }
+
+    /// Coordinates of the point along its master, and how far its surface has rolled on that [L].
+    pub fn along(&self, gap: &AnyGap<Linear>, u: &[f64]) -> Tangential {
+        let rolled = self.offset.rolled(self.section_turn(u), gap.tangent());
+        Tangential([gap.along()[0], rolled])
+    }
+
+    /// The rotation of the section that carries the point [rad].
+    pub fn section_turn(&self, u: &[f64]) -> f64 {
+        self.section.iter().map(|&(dof, weight)| weight * u[dof]).sum()
     }
 
     /// Adds dofs with their values.

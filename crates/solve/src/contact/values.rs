@@ -120,6 +120,7 @@ impl Contact {
                 let tangents = segment.rows.map(|row| tangents[row].map(|t| t * length));
                 segment.line = HermiteLine::new(nodes, tangents);
                 segment.width = pair.interaction.width;
+                segment.offset = pair.offset;
                 segment.shear.iter_mut().for_each(|shear| shear.take(model));
                 let areas = segment.areas();
                 let own = &mut points[segment.first..][..SEGMENT_POINTS];

@@ -176,6 +176,7 @@ fn draw_pair(pair: &ContactPair, note: &mut impl FnMut(usize)) {
         Formulation::SurfaceToSurface => 1,
         Formulation::Mortar => 2,
     });
+    note(usize::from(pair.offset.slave != 0.0));
     note(pair.corners.len());
     pair.corners.iter().for_each(|&node| note(node));
     note(match &pair.interaction.friction {

@@ -52,7 +52,7 @@ impl Prepared {
 /// with three slaves on its rim; `line`: the beams are the master,
 /// otherwise an arc of the body is.
 #[allow(clippy::too_many_lines)] // one model, told in one piece
-pub(crate) fn model(line: bool) -> Model {
+pub(crate) fn model(line: bool, offset: Offset) -> Model {
     let mut model = Model::default();
     let mut node = |label: u64, x: f64, y: f64| {
         model.nodes.insert(Node { label, position: [x, y, 0.0], origin: AT })
@@ -124,6 +124,7 @@ pub(crate) fn model(line: bool) -> Model {
         of_solids: false,
         adjust: slideline_model::Adjust::Nothing,
         corners: Vec::new(),
+        offset,
         slaves: Vec::new(),
         name,
         formulation,
@@ -172,14 +173,17 @@ pub(crate) fn model(line: bool) -> Model {
 
 /// Requirement: the tangent is the derivative of the residual, with
 /// beams, rigid links under a free rotation, normal rotation, curvature,
-/// the exponential law, friction (stick and slip) and stabilisation
+/// the exponential law, friction (stick and slip), surfaces that stand off and stabilisation
 /// together.
 /// Extrapolated differences with a step of 1e-7 leave 1e-9 by rounding;
 /// tolerance 1e-7 of the largest entry of its kind.
 #[test]
 fn assembled_tangent_by_differences() {
-    for (line, direction) in [(true, 0.3), (true, 0.02), (false, 0.3), (false, -0.02)] {
-        let model = model(line);
+    let standing = Offset { slave: 0.05, master: 0.03 };
+    let cases = [(true, 0.3), (true, 0.02), (false, 0.3), (false, -0.02)];
+    let cases = cases.into_iter().flat_map(|case| [(case, Offset::NONE), (case, standing)]);
+    for ((line, direction), offset) in cases {
+        let model = model(line, offset);
         let (dofs, points) =
             (DofMap::new(&model).len(), model.contact_pairs[0].slave_nodes().len());
         let mut committed = State::undeformed(dofs, points, (0, 0));
@@ -235,7 +239,7 @@ fn assembled_tangent_by_differences() {
 #[test]
 fn idle_points_that_touch_are_found() {
     for law in [NormalLaw::Exponential { clearance: 0.1, pressure: 2.0 }, NormalLaw::Hard] {
-        let mut model = model(true);
+        let mut model = model(true, Offset::NONE);
         model.contact_pairs[0].interaction.normal = law;
         let (dofs, points) =
             (DofMap::new(&model).len(), model.contact_pairs[0].slave_nodes().len());

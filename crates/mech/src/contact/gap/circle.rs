@@ -65,6 +65,7 @@ impl Circle {
             tangent: [-travel * e[1], travel * e[0]],
             position: [centre[0] + self.radius * e[0], centre[1] + self.radius * e[1]],
             parameter: angle,
+            bend: travel / distance,
         };
         gap.slip_gradient[4] = -travel * self.radius;
         gap.direction[4] = -travel * distance;

@@ -244,6 +244,7 @@ pub fn point_to_curve<const K: usize, const N: usize, O: Order>(
         tangent,
         position: curve.position,
         parameter: xi,
+        bend: -dot(normal, curve.second) / slope,
     };
     gap.is_finite().then_some(gap)
 }

@@ -13,6 +13,7 @@
 pub mod circle;
 pub mod curve;
 pub mod face;
+pub mod offset;
 
 use std::fmt::Debug;
 
@@ -27,6 +28,9 @@ pub trait Order: Debug + Clone + Copy + PartialEq {
 
     /// The second derivatives that are kept, if any are.
     fn kept<const N: usize>(second: &Self::Second<N>) -> Option<&Second<N>>;
+
+    /// The same, to be written.
+    fn kept_mut<const N: usize>(second: &mut Self::Second<N>) -> Option<&mut Second<N>>;
 }
 
 /// A gap with its first derivatives.
@@ -45,6 +49,10 @@ impl Order for Linear {
     fn kept<const N: usize>((): &()) -> Option<&Second<N>> {
         None
     }
+
+    fn kept_mut<const N: usize>((): &mut ()) -> Option<&mut Second<N>> {
+        None
+    }
 }
 
 impl Order for Quadratic {
@@ -55,6 +63,10 @@ impl Order for Quadratic {
     }
 
     fn kept<const N: usize>(second: &Second<N>) -> Option<&Second<N>> {
+        Some(second)
+    }
+
+    fn kept_mut<const N: usize>(second: &mut Second<N>) -> Option<&mut Second<N>> {
         Some(second)
     }
 }
@@ -99,6 +111,8 @@ pub struct Gap<const N: usize, O: Order = Quadratic> {
     pub position: [f64; 2],
     /// Parameter of the facing position on its piece [1] (angle in radians for a circle).
     pub parameter: f64,
+    /// Turn of the tangent where the point moves along the tangent by a unit [1/L].
+    pub bend: f64,
 }
 
 impl<const N: usize, O: Order> Gap<N, O> {

@@ -1,20 +1,21 @@
 //! Search and gap put together for chains: the gap of a point against the piece that faces it.
 
 use super::super::gap::Order;
-use super::super::gap::curve::{Along, Weights, overclosure, point_to_curve};
+use super::super::gap::curve::{Along, Weights, overclosure};
+use super::super::gap::offset::Offset;
 use super::super::search::chain::{Chain, Piece, PieceKind, flat};
 use super::super::search::sharp::reach;
-use super::stencil::{AnyGap, StencilAttachments};
+use super::stencil::{AnyGap, StencilAttachments, curve_gap};
 use crate::rigid::Attachment;
 
-/// Gap of `point` against the piece of a chain that faces it; variables (slave, nodes of
-/// [`Piece::nodes`]). `None` for degenerate positions.
+/// Gap of `point`, or of the surface that stands off it, against the piece of a chain that faces it;
+/// variables (slave, nodes of [`Piece::nodes`]). `None` for degenerate positions.
 #[inline]
 pub fn chain_gap<O: Order>(
     chain: &Chain,
     piece: &Piece,
     positions: &[[f64; 3]],
-    point: [f64; 3],
+    (point, offset): ([f64; 3], Offset),
 ) -> Option<AnyGap<O>> {
     let (k, xi, point) = (piece.index, piece.parameter, flat(point));
     let at = |node: usize| positions.get(node).copied().map(flat);
@@ -22,8 +23,8 @@ pub fn chain_gap<O: Order>(
         PieceKind::Straight => {
             let control = [at(k)?, at(k + 1)?];
             let along = Along::straight(chain.arc_coordinate(k), chain.reference_length(k), xi);
-            point_to_curve(point, &control, &Weights::straight(xi), &along, xi)
-                .map(AnyGap::Straight)
+            let weights = Weights::straight(xi);
+            curve_gap((point, offset), &control, &weights, &along, xi).map(AnyGap::Straight)
         }
         PieceKind::Corner => {
             let before = k.checked_sub(1)?;
@@ -31,13 +32,14 @@ pub fn chain_gap<O: Order>(
             let f = chain.smoothing;
             let (a1, a2) = (f * chain.reference_length(before), f * chain.reference_length(k));
             let along = Along::corner(chain.arc_coordinate(k), a1, a2, xi);
-            point_to_curve(point, &control, &Weights::corner(xi, f), &along, xi).map(AnyGap::Curved)
+            let weights = Weights::corner(xi, f);
+            curve_gap((point, offset), &control, &weights, &along, xi).map(AnyGap::Curved)
         }
         PieceKind::Nose { ahead } => {
             let before = k.checked_sub(1)?;
             let control = [at(before)?, at(k)?, at(k + 1)?];
             let (weights, along) = nose(chain, k, ahead, xi);
-            point_to_curve(point, &control, &weights, &along, xi).map(AnyGap::Curved)
+            curve_gap((point, offset), &control, &weights, &along, xi).map(AnyGap::Curved)
         }
     }
 }

@@ -1,5 +1,7 @@
 //! Gaps of any kind, and where their variables are attached.
 
+use super::super::gap::curve::{Along, Weights, point_to_curve};
+use super::super::gap::offset::{Offset, Turn};
 use super::super::gap::{Gap, Order, Quadratic};
 use super::super::search::chain::raised;
 use super::super::tangential::Tangential;
@@ -15,6 +17,19 @@ pub enum AnyGap<O: Order = Quadratic> {
     Straight(Gap<6, O>),
     /// Corner or parabola: (slave, three control points).
     Curved(Gap<8, O>),
+}
+
+/// Gap against a curve of a point, or of the surface that stands off it; see [`point_to_curve`].
+pub(super) fn curve_gap<const K: usize, const N: usize, O: Order>(
+    (point, offset): ([f64; 2], Offset),
+    control: &[[f64; 2]; K],
+    weights: &Weights<K>,
+    along: &Along,
+    xi: f64,
+) -> Option<Gap<N, O>> {
+    let mut gap = point_to_curve(point, control, weights, along, xi)?;
+    gap.stand_off(offset, |gap| Turn::of_curve(gap, control, weights, along));
+    Some(gap)
 }
 
 /// Evaluates an expression for the gap inside an [`AnyGap`].

@@ -1,7 +1,8 @@
 //! Search and gap put together for rigid surfaces: the gap of a point against what it faces.
 
 use super::super::gap::circle::{Circle, Side};
-use super::super::gap::curve::{Along, Weights, point_to_curve};
+use super::super::gap::curve::{Along, Weights};
+use super::super::gap::offset::{Offset, Turn};
 use super::super::gap::{Linear, Order};
 use super::super::search::chain::{flat, raised};
 use super::super::search::outlook::Outlook;
@@ -10,7 +11,7 @@ use super::super::search::sharp_rigid;
 use super::super::search::sweep::{Crossing, cross_rigid};
 use super::body::Body;
 use super::nose::{Nose, bounds};
-use super::stencil::{AnyGap, StencilAttachments};
+use super::stencil::{AnyGap, StencilAttachments, curve_gap};
 use crate::rigid::Attachment;
 
 /// A rigid surface with its arc coordinates; segments in undeformed positions.
@@ -155,7 +156,10 @@ impl RigidSurface {
                 Some(if outside == convex { -distance } else { distance })
             }
             (Part::Vertex { convex }, _) => Some(if convex { -distance } else { distance }),
-            _ => self.gap::<Linear>(body, &facing, point).map(|gap| gap.overclosure()),
+            _ => {
+                let gap = self.gap::<Linear>(body, &facing, (point, Offset::NONE));
+                gap.map(|gap| gap.overclosure())
+            }
         }
     }
 
@@ -171,14 +175,14 @@ impl RigidSurface {
         }
     }
 
-    /// Gap of `point` (in space) against what it faces.
+    /// Gap of `point` (in space), or of the surface that stands off it, against what it faces.
     pub fn gap<O: Order>(
         &self,
         body: &Body,
         facing: &Facing,
-        point: [f64; 3],
+        (point, offset): ([f64; 3], Offset),
     ) -> Option<AnyGap<O>> {
-        let point = flat(point);
+        let point = (flat(point), offset);
         let segment = self.segments.get(facing.segment)?;
         let start = *self.starts.get(facing.segment)?;
         if let Part::Vertex { convex } = facing.part {
@@ -190,8 +194,7 @@ impl RigidSurface {
             RigidSegment::Line { a, b } => {
                 let control = [body.carry(a), body.carry(b)];
                 let along = Along::straight(start, segment.length(), xi);
-                point_to_curve(point, &control, &Weights::straight(xi), &along, xi)
-                    .map(AnyGap::Straight)
+                curve_gap(point, &control, &Weights::straight(xi), &along, xi).map(AnyGap::Straight)
             }
             RigidSegment::Arc { start: from, centre, radius, convex, .. } => {
                 let travel = if convex { -1.0 } else { 1.0 };
@@ -204,7 +207,7 @@ impl RigidSurface {
                 let control = rest.map(|p| body.carry(p));
                 let weights = Weights::quadratic(xi);
                 let along = parabola_along(&rest, &weights, start + segment.arc_length(xi));
-                point_to_curve(point, &control, &weights, &along, xi).map(AnyGap::Curved)
+                curve_gap(point, &control, &weights, &along, xi).map(AnyGap::Curved)
             }
         }
     }
@@ -253,12 +256,13 @@ fn circle_gap<O: Order>(
     body: &Body,
     centre: [f64; 2],
     (radius, convex): (f64, bool),
-    point: [f64; 2],
+    (point, offset): ([f64; 2], Offset),
     (shift, reference): (f64, f64),
 ) -> Option<AnyGap<O>> {
     let circle = Circle { radius, side: if convex { Side::Convex } else { Side::Concave } };
     let mut gap = circle.gap(point, body.carry(centre), body.dofs[2], reference)?;
     gap.along += shift;
+    gap.stand_off(offset, |_| Turn::OF_BODY);
     Some(AnyGap::Circle(gap))
 }
 

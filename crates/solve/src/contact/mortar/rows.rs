@@ -96,7 +96,7 @@ impl At<'_> {
         self.list_unknowns(point, rooms);
         into.make_room(rooms.unknowns.len());
         let mut into = into.at_mut(place);
-        if let Carrier::Node { position, dofs } = &self.contact.points[place].carrier {
+        if let Carrier::Node { position, dofs, .. } = &self.contact.points[place].carrier {
             into.point.position = dofs.displace(*position, u);
         }
         into.point.area = whole;

@@ -61,7 +61,7 @@ impl Contact {
     fn face_nothing(&self, mortar: &FaceMortar, u: &[f64], into: &mut ContactKinematics) {
         for place in mortar.first..mortar.first + mortar.of_point.len() {
             let mut own = into.at_mut(place);
-            if let Carrier::Node { position, dofs } = &self.points[place].carrier {
+            if let Carrier::Node { position, dofs, .. } = &self.points[place].carrier {
                 own.point.position = dofs.displace(*position, u);
             }
             own.point.area = self.points[place].area;
@@ -98,7 +98,7 @@ impl At<'_> {
             self.list_unknowns(point, rooms);
             into.make_room(rooms.unknowns.len());
             let mut own = into.at_mut(place);
-            if let Carrier::Node { position, dofs } = &self.contact.points[place].carrier {
+            if let Carrier::Node { position, dofs, .. } = &self.contact.points[place].carrier {
                 own.point.position = dofs.displace(*position, u);
             }
             own.point.area = self.contact.points[place].area;

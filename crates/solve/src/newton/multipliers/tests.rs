@@ -24,7 +24,7 @@ const WAYS: [Way; 3] = [
 
 impl Way {
     fn model(&self, line: bool) -> Model {
-        let mut model = model(line);
+        let mut model = model(line, slideline_model::Offset::NONE);
         let interaction = &mut model.contact_pairs[0].interaction;
         if self.hard {
             interaction.normal = NormalLaw::Hard;
