@@ -44,8 +44,8 @@ impl Contact {
             let places = (0..self.points.len()).filter(|&place| has_own(&self.points[place]));
             let points = places.map(|place| (place, allowed(place))).collect();
             let amplitude = own.amplitude.and_then(|place| model.amplitudes.get(place)).cloned();
-            let (pair, allowed, factors) = (own.pair, own.allowed, [0.0; 2]);
-            self.allowances.push(Allowance { pair, allowed, points, factors, amplitude });
+            let (pair, allowed, before, now) = (own.pair, own.allowed, 0.0, 0.0);
+            self.allowances.push(Allowance { pair, allowed, points, before, now, amplitude });
         }
         self.allow((0.0, 0.0), step.procedure.period);
     }
@@ -60,28 +60,33 @@ impl Contact {
 
     /// Allows what belongs to the end of an increment between two times of a step [T].
     pub(super) fn allow(&mut self, (before, now): (f64, f64), period: f64) {
-        let lists = [(before, &mut self.allowed_before), (now, &mut self.allowed)];
-        for (end, (time, into)) in lists.into_iter().enumerate() {
+        for (time, into) in [(before, &mut self.allowed_before), (now, &mut self.allowed)] {
             into.clear();
             into.resize(self.points.len(), 0.0);
-            for allowance in &mut self.allowances {
+            for allowance in &self.allowances {
                 let factor = allowance.factor(time, period);
-                allowance.factors[end] = factor;
                 allowance.points.iter().for_each(|&(place, whole)| into[place] += factor * whole);
             }
         }
+        for allowance in &mut self.allowances {
+            allowance.before = allowance.factor(before, period);
+            allowance.now = allowance.factor(now, period);
+        }
     }
 
-    /// The overclosure that is allowed at a place of an element along which contact is integrated:
-    /// what the line overlaps by there before anything moves, or a value, before an increment (0) or
-    /// at its end (1) [L].
-    pub(super) fn allowed_along(&self, segment: &SlaveSegment, xi: f64, end: usize) -> f64 {
+    /// The overclosure that is allowed at a place of an element along which contact is integrated: a
+    /// part of what the line overlaps by there before anything moves, or of a value [L].
+    pub(super) fn allowed_along(&self, segment: &SlaveSegment, xi: f64) -> f64 {
+        self.part_along(segment, xi, |own| own.now)
+    }
+
+    fn part_along(&self, segment: &SlaveSegment, xi: f64, part: impl Fn(&Allowance) -> f64) -> f64 {
         let own = self.allowances.iter().filter(|own| own.pair == segment.pair);
         let whole = |own: &Allowance| match own.allowed {
             Allowed::Initial => self.overlap_at_rest(segment, xi).max(0.0),
             Allowed::Value(value) => value,
         };
-        own.map(|own| own.factors[end] * whole(own)).sum()
+        own.map(|own| part(own) * whole(own)).sum()
     }
 
     /// By how much a place of an element overlaps its master before anything moves [L].
@@ -122,8 +127,8 @@ impl Contact {
             return 0.0;
         }
         let taken = |segment: &SlaveSegment, point: &PointState| {
-            let allowed = |end: usize| self.allowed_along(segment, point.xi, end);
-            point.area * point.pressure * (allowed(0) - allowed(1))
+            let way = self.part_along(segment, point.xi, |own| own.before - own.now);
+            point.area * point.pressure * way
         };
         let of_state = |segment: &SlaveSegment, state: &State| {
             let own = state.points.get(segment.first..segment.first + SEGMENT_POINTS);

@@ -22,8 +22,10 @@ pub(super) struct Allowance {
     pub allowed: Allowed,
     /// Points and their overclosures at the start of the step [L]; not those that are integrated.
     pub points: Vec<(usize, f64)>,
-    /// Parts of it that are allowed before an increment and at its end [1].
-    pub factors: [f64; 2],
+    /// The part of it that is allowed before an increment [1].
+    pub before: f64,
+    /// And at its end [1].
+    pub now: f64,
     /// How they change over the step; without one straight to zero.
     pub amplitude: Option<Amplitude>,
 }

@@ -160,7 +160,7 @@ impl Contact {
             let allowed = match &point.carrier {
                 Carrier::Node { .. } => self.allowed_at(place),
                 Carrier::IntegrationPoint { segment } => {
-                    self.allowed_along(&self.segments[*segment], into.point.xi, 1)
+                    self.allowed_along(&self.segments[*segment], into.point.xi)
                 }
             };
             into.point.allow(allowed);
@@ -208,7 +208,7 @@ impl Contact {
         let bent = segment.line.bent(&ends);
         let beyond = |xi: f64| {
             let overclosure = surface.overclosure(&body, bent.position(xi));
-            let allowed = self.allowed_along(segment, xi, 1);
+            let allowed = self.allowed_along(segment, xi);
             overclosure.unwrap_or(f64::NEG_INFINITY) - allowed - begins
         };
         let keeps = self.keeps[segment.pair];
@@ -221,7 +221,7 @@ impl Contact {
             let (point, mut stencil) = (&self.points[place], segment.stencil(&ends, xi));
             self.locate_stencil(point, &mut stencil, (u, &none), &mut into);
             if into.point.faces {
-                into.point.allow(self.allowed_along(segment, xi, 1));
+                into.point.allow(self.allowed_along(segment, xi));
             }
         });
     }
