@@ -1,6 +1,5 @@
 //! Jobs that the tests of restart run, and how their files are compared.
 
-#![allow(dead_code)] // each test uses its own part
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
 use std::collections::BTreeMap;

@@ -1,7 +1,5 @@
 //! Blocks of solids with faces, and what a run of them leaves.
 
-#![allow(dead_code)] // every test uses a part
-
 use slideline::observe::{ContactRow, Ending, Frame};
 use slideline::{Event, Job, Observer, ReadOptions, SolveOptions, Stop, TangentCheck};
 use std::fmt::Write as _;
@@ -117,11 +115,8 @@ pub enum Kind {
     Cpe6,
     Cpe8,
     Cps4,
-    Cps8,
     Cax4,
     Cax8,
-    Cps4i,
-    Cps8r,
 }
 
 impl Kind {
@@ -132,16 +127,13 @@ impl Kind {
             Self::Cpe6 => "CPE6",
             Self::Cpe8 => "CPE8",
             Self::Cps4 => "CPS4",
-            Self::Cps8 => "CPS8",
             Self::Cax4 => "CAX4",
             Self::Cax8 => "CAX8",
-            Self::Cps4i => "CPS4I",
-            Self::Cps8r => "CPS8R",
         }
     }
 
     fn is_quadratic(self) -> bool {
-        matches!(self, Self::Cpe6 | Self::Cpe8 | Self::Cps8 | Self::Cax8 | Self::Cps8r)
+        matches!(self, Self::Cpe6 | Self::Cpe8 | Self::Cax8)
     }
 
     fn is_triangle(self) -> bool {

@@ -1,7 +1,5 @@
 //! Blocks of solids in space with faces, and what a run of them leaves.
 
-#![allow(dead_code)] // every test uses a part
-
 use slideline::model::Dof;
 use slideline::observe::{ContactRow, Ending, Frame};
 use slideline::{Event, Job, Observer, ReadOptions, SolveOptions, Stop, TangentCheck};

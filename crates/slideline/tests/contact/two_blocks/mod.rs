@@ -1,7 +1,5 @@
 //! Two unit blocks on one another, one element each, and what a run of them leaves.
 
-#![allow(dead_code)] // every test uses a part
-
 use slideline::observe::{ContactRow, Ending};
 use slideline::{
     Event, Job, Observer, Quiet, ReadOptions, RunOptions, SolveOptions, Status, Stop, run,

@@ -1,7 +1,5 @@
 //! Runs decks and keeps what their increments show.
 
-#![allow(dead_code)] // every test uses a part
-
 use slideline::model::Dof;
 use slideline::observe::{Ending, Energies, Event, Observer, Stop};
 use slideline::{Job, ReadOptions, SolveOptions, solve};

@@ -1,7 +1,5 @@
 //! Questions to a bench and its answers, for tests.
 
-#![allow(dead_code)] // not every test asks everything
-
 use serde_json::{Value, json};
 use slideline_workbench::Bench;
 
