@@ -267,6 +267,17 @@ pub fn complete(
     open
 }
 
+/// What the laws of a point make of kinematics that are there already: its history, were the trial
+/// committed.
+pub fn follow_laws(
+    plan: &Problem<'_>,
+    at: (&State, &Trial<'_>),
+    place: usize,
+    into: &mut Evaluation,
+) {
+    into.points[place] = evaluate_point(plan, at, place, into);
+}
+
 /// What a point does in a trial; writes its state variables of a user law.
 fn evaluate_point(
     plan: &Problem<'_>,

@@ -24,6 +24,7 @@ pub use results::{
     BeamRow, BlockResults, ContactRow, Energies, FrictionCall, PairRow, Resultant, SectionRow,
     Status,
 };
+pub(crate) use sensitivity::Near;
 pub use sensitivity::Sensitivity;
 use slideline_diag::Diagnostic;
 use slideline_linalg::Description;

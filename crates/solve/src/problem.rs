@@ -179,7 +179,7 @@ impl<'a> Problem<'a> {
     /// Where tangents of elements are summed, at a configuration with these rows.
     pub fn gather<'b>(&'b self, rows: &'b Rows, values: &'b mut [f64]) -> Gather<'b> {
         let (constraints, pattern) = (self.constraints, self.pattern);
-        Gather { constraints, rows, pattern, values, product: None }
+        Gather { constraints, rows, pattern, values, product: None, keep: None }
     }
 
     /// Adds what the turning of constraints makes of forces `f` on all dofs; uses

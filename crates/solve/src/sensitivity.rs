@@ -15,6 +15,7 @@ mod neighbour;
 mod numbers;
 mod parameter;
 mod stencil;
+mod touched;
 mod tries;
 mod varied;
 
@@ -24,6 +25,7 @@ pub use numbers::{
     Bend, bend, combine_starts, combine_states, is_same_branch, move_start, move_state,
 };
 pub use parameter::{Parameter, SensitivityFault};
-pub use stencil::{OFFSETS, Side, Weights};
+pub use stencil::{OFFSETS, PAIR, Side, Weights};
+pub use touched::Touched;
 pub use tries::{Tries, Try};
 pub use varied::{Varied, sensitivity_fault};

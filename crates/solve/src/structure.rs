@@ -20,6 +20,7 @@ mod flux;
 mod kernels;
 mod nodal_forces;
 mod numbering;
+mod partial;
 mod presence;
 mod reference;
 mod stresses;
@@ -29,7 +30,7 @@ mod tests;
 
 pub use contributions::Contributions;
 pub use elements::{Ambient, Configuration, Structure};
-pub use evaluate::{FailedElement, Gather, Product};
+pub use evaluate::{FailedElement, Gather, Keep, Product};
 pub use flux::Flux;
 pub use kernels::Kernels;
 pub use numbering::ElementNumbering;

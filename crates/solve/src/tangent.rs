@@ -23,11 +23,15 @@ use crate::observe::reports::TangentReport;
 use crate::observe::results::{FrictionCall, Status};
 use crate::problem::Problem;
 use crate::state::State;
-use crate::structure::{Configuration, Contributions};
+use crate::structure::{Configuration, Contributions, Gather, Keep};
 use slideline_diag::{Code, Diagnostic};
 use slideline_mech::contact::friction::Traction;
 use slideline_mech::contact::pair::{Laws, PointTrial, UserState};
 use slideline_model::{Dof, NodeIndex};
+
+mod kept;
+
+pub use kept::Kept;
 
 /// Differences of a displacement, in sizes of the model, and of a rotation.
 /// Their square over that of a clearance is what truncation leaves; eps over
@@ -55,7 +59,7 @@ pub struct Place<'a> {
 /// `numbers` are those of step and increment.
 pub fn check(place: &Place<'_>, (step, increment): (usize, usize)) -> TangentReport {
     let plan = place.plan;
-    let values = assembled(place);
+    let values = assembled(place, &mut Kept::default());
     let mut differences = Differences::new(place);
     let n = plan.constraints.equations();
     let mut column = vec![0.0; n];
@@ -177,8 +181,9 @@ impl Place<'_> {
     }
 }
 
-/// Values of the tangent in the places of the pattern [F/L and the like].
-pub fn assembled(place: &Place<'_>) -> Vec<f64> {
+/// Values of the tangent in the places of the pattern [F/L and the like]; `kept` gets what has no
+/// place there.
+pub fn assembled(place: &Place<'_>, kept: &mut Kept) -> Vec<f64> {
     let Place { plan, trial, .. } = place;
     let mut values = vec![0.0; plan.pattern.entries()];
     // The geometric stiffness of the iteration is that of estimated stresses.
@@ -186,8 +191,12 @@ pub fn assembled(place: &Place<'_>) -> Vec<f64> {
     let (state, ambient) = (&place.committed.elements[..], trial.ambient);
     let at = Configuration { u: trial.u, stresses: None, state, ambient };
     let rows = &place.evaluation.rows;
-    let gather = plan.gather(rows, &mut values);
+    kept.begin(trial.load.len());
+    let Kept { elements, tangents, .. } = &mut *kept;
+    let keep = Some(Keep { elements, into: tangents });
+    let gather = Gather { keep, ..plan.gather(rows, &mut values) };
     plan.structure.evaluate(&at, &mut contributions, gather, plan.means.pool);
+    plan.structure.gather_force(&contributions, &mut kept.force);
     trial.dashpots.stiffen(plan, rows, &mut values);
     plan.stiffen_by_faces(rows, (trial.faces, trial.u, ambient.turns), &mut values);
     moments::stiffen(plan, rows, trial.load, (trial.u, ambient.turns), &mut values);
@@ -195,24 +204,27 @@ pub fn assembled(place: &Place<'_>) -> Vec<f64> {
     let mut force = vec![0.0; trial.load.len()];
     plan.faces.press(trial.faces, (trial.u, ambient.turns), &mut force);
     force.iter_mut().zip(trial.load).for_each(|(force, load)| *force = -(*force + load));
-    plan.structure.gather_force(&contributions, &mut force);
+    force.iter_mut().zip(&kept.force).for_each(|(force, own)| *force += own);
     place.add_contact_force(&place.evaluation.kinematics, trial.u, &mut force);
     plan.stiffen_by_turning(rows, ((trial.u, ambient.turns), &mut force), &mut values);
     let mut scratch = GeometryScratch::default();
     for point in 0..plan.contact.points.len() {
-        place.add_point(point, &mut scratch, &mut values);
+        if place.add_point(point, &mut scratch, &mut values) {
+            kept.keep_point(point, &scratch.tangent);
+        }
     }
     place.add_faces(&mut scratch, &mut values);
     values
 }
 
 impl Place<'_> {
-    fn add_point(&self, place: usize, scratch: &mut GeometryScratch, values: &mut [f64]) {
+    /// Adds a point, if it is closed; then its geometric tangent is left in the scratch.
+    fn add_point(&self, place: usize, scratch: &mut GeometryScratch, values: &mut [f64]) -> bool {
         let Place { plan, trial, evaluation, committed } = self;
         let before = &committed.points[place];
         let (kinematics, now) = (evaluation.kinematics.at(place), &evaluation.points[place]);
         if !now.closed {
-            return;
+            return false;
         }
         let ((pressure, traction), slope) = self.law(place, &kinematics);
         let forces = (now.area * pressure, now.area * traction.tau);
@@ -230,6 +242,7 @@ impl Place<'_> {
             geometry[rows.width() * i + j] + now.area * (slope * a[i] * a[j] + friction)
         };
         plan.scatter(&evaluation.rows, rows.unknowns, entry, values);
+        true
     }
 
     /// Adds the geometry of faces in space that contact is spread over.

@@ -117,7 +117,37 @@ fn solids_on_one_another() {
         |frame| reaction(frame, 4, Dof::U2),
         |frame| frame.energy.strain_energy,
     ];
-    Varied::new(&blocks(), &parameters, &responses).check(&[1e-4], 1e-6);
+    let seen = Varied::new(&blocks(), &parameters, &responses).check(&[1e-4], 1e-6);
+    // the tangent tells of what moves no places: two models each, and no step of four
+    for (own, models) in parameters.iter().zip(&seen.models) {
+        assert_eq!(*models == 2, !["width", "lift"].contains(&own.0), "{}: {models}", own.0);
+    }
+}
+
+/// What else a frame holds: rows of contact and of its pairs, of beams, energies.
+const OF_FRAMES: [Response; 8] = [
+    |frame| frame.contact.iter().map(|row| row.pressure).sum(),
+    |frame| frame.contact.iter().map(|row| row.shear[0]).sum(),
+    |frame| frame.pairs[0].force[0],
+    |frame| frame.pairs[0].force[1],
+    |frame| frame.pairs[0].energy,
+    |frame| frame.beams.iter().map(|row| row.fibre_strain.abs()).fold(0.0, f64::max),
+    |frame| frame.energy.external_work,
+    |frame| frame.energy.contact_energy + frame.energy.friction_elastic,
+];
+
+/// Requirement: whatever a frame holds is differentiated, of contact at nodes with a law that is a
+/// function and friction with elastic slip; by what moves no places with two models a parameter.
+#[test]
+fn frames_of_nodes_on_a_soft_circle() {
+    let law = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=EXPONENTIAL\n0.01, 40.0\n";
+    let parameters = [("thickness", 1.0), ("modulus", 210000.0), ("mu", 0.2), ("push", 1.0)];
+    let mut responses = OF_FRAMES.to_vec();
+    responses.extend(OF_ROLLER);
+    let deck = Varied::new(&leaf(law, AT_NODES), &parameters, &responses);
+    let seen = deck.check(&[1e-4, 1e-4, 1e-3, 1e-5], 1e-6);
+    assert_eq!(seen.models, [2; 4]);
+    assert!(seen.one_sided.iter().flatten().all(|one| !one));
 }
 
 /// A strip that yields, is unloaded and yields again, held by loads.

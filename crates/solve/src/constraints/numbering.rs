@@ -136,6 +136,11 @@ impl ConstraintNumbering {
         }
     }
 
+    /// Whether some dofs follow others.
+    pub fn has_dependents(&self) -> bool {
+        !self.dependent_dofs.is_empty()
+    }
+
     /// Number of unknowns.
     pub fn equations(&self) -> usize {
         self.dof_of_equation.len()

@@ -2,7 +2,7 @@
 
 use super::recall::recall_points;
 use super::scratch::{Scratch, solver};
-use crate::evaluate::evaluate_forces;
+use crate::evaluate::{evaluate_forces, follow_laws};
 use crate::problem::Problem;
 use crate::stabilise;
 use crate::state::{PointState, State};
@@ -19,6 +19,16 @@ pub struct Rates {
     pub pressures: Vec<f64>,
     /// Tractions likewise.
     pub tractions: Vec<Tangential>,
+}
+
+impl Rates {
+    /// What contact holds stays as it is, at so many points.
+    pub fn still(&mut self, points: usize) {
+        self.pressures.clear();
+        self.pressures.resize(points, 0.0);
+        self.tractions.clear();
+        self.tractions.resize(points, Tangential::ZERO);
+    }
 }
 
 impl Scratch {
@@ -47,6 +57,62 @@ impl Scratch {
         moved.for_each(|(traction, &rate)| *traction += h * rate);
         self.standing.clone_from(&of.standing);
         self.evaluate_there(plan, committed, target);
+    }
+
+    /// Stands where the converged trial `of` stands, with all that the time prescribes in a
+    /// neighbour; nothing is evaluated.
+    pub fn stand_near(
+        &mut self,
+        plan: &Problem<'_>,
+        committed: &State,
+        target: &Target,
+        of: &Self,
+    ) {
+        self.u.clone_from(&of.u);
+        self.pressures.clone_from(&of.pressures);
+        self.tractions.clone_from(&of.tractions);
+        self.standing.clone_from(&of.standing);
+        self.evaluation.points.clone_from(&of.evaluation.points);
+        let points = self.evaluation.kinematics.points_mut();
+        points.copy_from_slice(of.evaluation.kinematics.points());
+        self.dashpots.forget(plan.contact);
+        self.dt = target.dt;
+        self.load.resize(self.u.len(), 0.0);
+        self.follow_time(plan, committed, target);
+        self.held.hold(std::iter::empty());
+    }
+
+    /// Moves what contact holds by `h` times its rates, from where `of` has it.
+    pub fn move_estimates(&mut self, of: &Self, (rates, h): (&Rates, f64)) {
+        let pressures = of.pressures.iter().zip(&rates.pressures);
+        self.pressures.clear();
+        self.pressures.extend(pressures.map(|(pressure, rate)| pressure + h * rate));
+        let tractions = of.tractions.iter().zip(&rates.tractions);
+        self.tractions.clear();
+        self.tractions.extend(tractions.map(|(&traction, &rate)| traction + h * rate));
+    }
+
+    /// Asks the laws of contact points whose kinematics are there already.
+    pub fn follow_laws_at(
+        &mut self,
+        plan: &Problem<'_>,
+        committed: &State,
+        places: impl Iterator<Item = usize>,
+    ) {
+        let mut evaluation = std::mem::take(&mut self.evaluation);
+        let trial = self.trial(committed, self.dt);
+        places.for_each(|place| follow_laws(plan, (committed, &trial), place, &mut evaluation));
+        self.evaluation = evaluation;
+    }
+
+    /// Pressures on faces [F/L2].
+    pub fn faces(&self) -> &[f64] {
+        &self.faces
+    }
+
+    /// Whether contact is stabilised.
+    pub fn is_stabilised(&self) -> bool {
+        !self.dashpots.is_empty()
     }
 
     /// Evaluates the state that an increment was committed with, once more: what was done since may

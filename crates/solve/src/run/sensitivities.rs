@@ -16,9 +16,7 @@ use crate::contact::MasterPositions;
 use crate::newton::Scratch;
 use crate::observe::{Event, Observer, Stop};
 use crate::problem::Problem;
-use crate::sensitivity::{
-    OFFSETS, Side, Varied, Weights, combine_starts, combine_states, move_start, move_state,
-};
+use crate::sensitivity::{Varied, combine_starts, combine_states, move_start, move_state};
 use crate::start::Start;
 use crate::state::State;
 use crate::target::Target;
@@ -66,14 +64,16 @@ impl Analysis<'_> {
         (state, start): &(State, Start<'static>),
     ) -> Option<()> {
         let place = varied.courses[course].first(1);
+        if !varied.courses[course].begins_simply() {
+            varied.level(course, place, self.model).ok()?;
+        }
         let (mut states, mut starts) = (Vec::new(), Vec::new());
         let (of_state, of_start) = {
             let own = &mut varied.courses[course];
             (std::mem::take(&mut own.state), std::mem::take(&mut own.start))
         };
-        let level = varied.level(course, place, self.model).ok()?;
-        let weights = Weights::of(Side::Both, level.h);
-        for ((model, values), offset) in level.near.iter().zip(OFFSETS) {
+        let (level, weights) = varied.courses[course].of_beginning(place);
+        for ((model, values), offset) in level.near.iter().zip(level.offsets) {
             let mut room = Room::default();
             move_state(state, (&of_state, offset * level.h), &mut room.committed);
             let mut start = move_start(start, (&of_start, offset * level.h));
@@ -87,8 +87,8 @@ impl Analysis<'_> {
             starts.push(start);
         }
         let own = &mut varied.courses[course];
-        combine_states(weights.near.into_iter().zip(&mut states), &mut own.state);
-        combine_starts(weights.near.into_iter().zip(&mut starts), &mut own.start);
+        combine_states(weights.iter().copied().zip(&mut states), &mut own.state);
+        combine_starts(weights.iter().copied().zip(&mut starts), &mut own.start);
         own.begin_step();
         Some(())
     }

@@ -2,7 +2,6 @@
 
 use super::numbers::move_start;
 use super::parameter::{Parameter, SensitivityFault};
-use super::stencil::OFFSETS;
 use crate::constraints::Constraints;
 use crate::contact::Contact;
 use crate::continued::Continued;
@@ -16,28 +15,30 @@ use crate::values::Values;
 use slideline_model::Model;
 use std::borrow::Cow;
 
-/// The four neighbours of a model with one step of a parameter.
+/// The neighbours of a model with one step of a parameter.
 #[derive(Debug)]
 pub struct Level {
     /// The step of the parameter.
     pub h: f64,
-    /// Models and their values, in the order of [`OFFSETS`].
+    /// Where they stand, in steps.
+    pub offsets: &'static [f64],
+    /// Models and their values, in that order.
     pub near: Vec<(Model, Values)>,
     /// What the step at hand begins from in each; none yet: empty.
     starts: Vec<Start<'static>>,
 }
 
 impl Level {
-    /// That of a step `h` of a parameter of `base`.
+    /// Those at some steps `h` of a parameter of `base`.
     ///
     /// # Errors
     /// A parameter that the model cannot be differentiated by.
     pub fn new(
-        (parameter, h): (&Parameter, f64),
+        (parameter, h, offsets): (&Parameter, f64, &'static [f64]),
         (plan, base, users): (&Plan, &Model, &UserFrictions),
     ) -> Result<Self, SensitivityFault> {
         let name = || parameter.name.clone();
-        let near = OFFSETS.iter().map(|offset| {
+        let near = offsets.iter().map(|offset| {
             let model = (parameter.model)(parameter.value + offset * h);
             let model = model.ok_or_else(|| SensitivityFault::NoModel(name()))?;
             let mut values = Values::default();
@@ -51,7 +52,7 @@ impl Level {
             }
             Ok((model, values))
         });
-        Ok(Self { h, near: near.collect::<Result<_, _>>()?, starts: Vec::new() })
+        Ok(Self { h, offsets, near: near.collect::<Result<_, _>>()?, starts: Vec::new() })
     }
 
     /// Forgets what a step begins from: another one begins.
@@ -63,7 +64,7 @@ impl Level {
     /// moves by these derivatives.
     pub fn take_starts(&mut self, start: &Start<'_>, derivatives: &[f64]) {
         if self.starts.is_empty() {
-            let steps = OFFSETS.map(|offset| offset * self.h);
+            let steps = self.offsets.iter().map(|offset| offset * self.h);
             self.starts.extend(steps.map(|h| move_start(start, (derivatives, h))));
         }
     }

@@ -92,6 +92,19 @@ impl Bend {
         self.size = self.size.max(base.abs());
     }
 
+    /// Looks at a number of a pair of neighbours.
+    pub fn note_pair(&mut self, [below, base, above]: [f64; 3]) {
+        self.apart = self.apart.max((below - 2.0 * base + above).abs());
+        self.across = self.across.max((above - below).abs());
+        self.size = self.size.max(base.abs());
+    }
+
+    /// The second difference over the step in the largest rate of pairs [1], rounding taken off.
+    pub fn of_pair(self) -> f64 {
+        let beyond = (self.apart - ROUNDING * self.size).max(0.0);
+        if beyond == 0.0 { 0.0 } else { beyond / (0.5 * self.across) }
+    }
+
     /// The fourth difference over the step, in the largest rate [1], for steps `h` of a parameter of
     /// that scale and numbers that are known to `least`; what rounding may make of it is taken off.
     pub fn of_rates(self, (h, scale): (f64, f64), least: f64) -> f64 {

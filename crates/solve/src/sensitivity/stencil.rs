@@ -11,6 +11,9 @@
 /// Where the neighbours stand, in steps.
 pub const OFFSETS: [f64; 4] = [-2.0, -1.0, 1.0, 2.0];
 
+/// Where the neighbours stand that differ in what the tangent does not know, in steps.
+pub const PAIR: [f64; 2] = [-1.0, 1.0];
+
 /// On which side of the base the neighbours are asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {

@@ -2,12 +2,18 @@
 
 use super::neighbour::Level;
 use super::parameter::{Parameter, SensitivityFault};
+use super::stencil::{OFFSETS, PAIR, Side, Weights};
+use super::touched::Touched;
 use super::tries::STEPS;
 use crate::plan::Plan;
 use crate::start::Start;
 use crate::users::UserFrictions;
 use slideline_model::Model;
 
+/// Step of the pair of neighbours that stand beside the base with its displacements, in scales of the
+/// parameter. Its square is truncation of how forces follow a section or a law; rounding grows with its
+/// inverse, but displacements have no part in it.
+const BESIDE: f64 = 1e-5;
 /// Increments after which a larger step is tried again.
 const AGAIN: usize = 8;
 
@@ -16,6 +22,10 @@ const AGAIN: usize = 8;
 pub struct Course {
     /// The parameter.
     pub parameter: Parameter,
+    /// The pair of neighbours beside the base.
+    pair: Level,
+    /// What differs in them; `None`: more than the tangent can tell.
+    touched: Option<Touched>,
     /// Neighbours with the steps that were needed so far.
     levels: Vec<Level>,
     /// Places of the steps that did in the last increment and the one before.
@@ -52,8 +62,13 @@ impl Varied {
         let mut varied = Self { courses: Vec::new(), plan: plan.clone(), users: users.clone() };
         for parameter in parameters {
             let parameter = parameter.clone();
+            let pair = (&parameter, BESIDE * parameter.scale, &PAIR[..]);
+            let pair = Level::new(pair, (plan, model, users))?;
+            let touched = Touched::of(model, pair.near.iter().map(|(model, _)| model));
             varied.courses.push(Course {
                 parameter,
+                pair,
+                touched,
                 levels: Vec::new(),
                 recent: [0; 2],
                 state: Vec::new(),
@@ -61,7 +76,6 @@ impl Varied {
                 one_sided: false,
                 is_lost: false,
             });
-            varied.level(varied.courses.len() - 1, 0, model)?;
         }
         Ok(varied)
     }
@@ -79,7 +93,7 @@ impl Varied {
         let own = &mut self.courses[course];
         while own.levels.len() <= level {
             let h = STEPS[own.levels.len()] * own.parameter.scale;
-            let at = (&own.parameter, h);
+            let at = (&own.parameter, h, &OFFSETS[..]);
             own.levels.push(Level::new(at, (&self.plan, model, &self.users))?);
         }
         Ok(&own.levels[level])
@@ -104,6 +118,29 @@ impl Course {
         (level, &self.state)
     }
 
+    /// The pair of neighbours beside the base in a step that begins from `start`, what differs in
+    /// them, and the derivative of the state; `None`: more differs than the tangent can tell.
+    pub fn beside(&mut self, start: &Start<'_>) -> Option<(&Level, &Touched, &[f64])> {
+        let touched = self.touched.as_ref()?;
+        self.pair.take_starts(start, &self.start);
+        Some((&self.pair, touched, &self.state))
+    }
+
+    /// Whether the pair tells how a step begins: nothing comes or leaves.
+    pub fn begins_simply(&self) -> bool {
+        self.touched.as_ref().is_some_and(|own| own.begins_simply)
+    }
+
+    /// The neighbours that tell how a step begins, with what each counts: the pair, or those with the
+    /// step of a place that was made.
+    pub fn of_beginning(&self, place: usize) -> (&Level, Vec<f64>) {
+        if self.begins_simply() {
+            return (&self.pair, PAIR.map(|side| 0.5 * side / self.pair.h).to_vec());
+        }
+        let level = &self.levels[place];
+        (level, Weights::of(Side::Both, level.h).near.to_vec())
+    }
+
     /// Place of the step to begin with: one increment that stands near a kink does not count. Now and
     /// then a larger one is tried again.
     pub fn first(&self, increment: usize) -> usize {
@@ -118,6 +155,6 @@ impl Course {
 
     /// Notes how what a step begins from follows the parameter.
     pub fn begin_step(&mut self) {
-        self.levels.iter_mut().for_each(Level::begin_step);
+        self.levels.iter_mut().chain([&mut self.pair]).for_each(Level::begin_step);
     }
 }

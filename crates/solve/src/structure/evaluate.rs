@@ -38,6 +38,16 @@ pub struct Gather<'a> {
     pub values: &'a mut [f64],
     /// What the tangents do with a vector, where that is wanted too.
     pub product: Option<Product<'a>>,
+    /// Tangents that are kept too, where that is wanted.
+    pub keep: Option<Keep<'a>>,
+}
+
+/// Elements whose tangents are kept.
+pub struct Keep<'a> {
+    /// The elements, ascending.
+    pub elements: &'a [usize],
+    /// Where their tangents are written, one after the other, row by row.
+    pub into: &'a mut Vec<f64>,
 }
 
 /// K v of all elements, in all dofs.
@@ -97,7 +107,12 @@ impl Structure<'_> {
         self.evaluate_all(&at, part, pool.filter(|_| self.numbering.count >= PARALLEL));
     }
 
-    fn evaluate_all(&self, at: &Configuration<'_>, part: Part<'_>, pool: Option<&ThreadPool>) {
+    pub(super) fn evaluate_all(
+        &self,
+        at: &Configuration<'_>,
+        part: Part<'_>,
+        pool: Option<&ThreadPool>,
+    ) {
         match pool {
             Some(pool) => pool.install(|| self.evaluate_shared(at, part)),
             None => self.evaluate_part(at, part),
@@ -115,7 +130,7 @@ impl Structure<'_> {
     }
 
     /// Forces, tangent entries and states of elements that lie together.
-    fn sizes(&self, elements: Range<usize>) -> [usize; 3] {
+    pub(super) fn sizes(&self, elements: Range<usize>) -> [usize; 3] {
         let mut sizes = [0; 3];
         for block in &self.numbering.blocks {
             let (start, end) = (block.elements.start, block.elements.end);
@@ -206,6 +221,13 @@ impl Structure<'_> {
             for &element in self.dependent[begin..].iter().take_while(|e| own.contains(e)) {
                 let at = (element - own.start) * square;
                 last.extend_from_slice(&tangents[at..at + square]);
+            }
+            if let Some(Keep { elements, into }) = &mut gather.keep {
+                let begin = elements.partition_point(|&element| element < own.start);
+                for element in elements[begin..].iter().take_while(|e| own.contains(e)) {
+                    let at = (element - own.start) * square;
+                    into.extend_from_slice(&tangents[at..at + square]);
+                }
             }
             if let Some(product) = &mut gather.product {
                 let width = block.variables.max(1);
@@ -299,7 +321,7 @@ fn all_finite(list: &[f64]) -> bool {
 }
 
 impl Product<'_> {
-    fn add(&mut self, own: &[usize], tangent: &[f64], width: usize) {
+    pub(super) fn add(&mut self, own: &[usize], tangent: &[f64], width: usize) {
         for (&target, row) in own.iter().zip(tangent.chunks_exact(width)) {
             let sum: f64 = row.iter().zip(own).map(|(k, &dof)| k * self.vector[dof]).sum();
             self.into[target] += sum;
@@ -308,13 +330,13 @@ impl Product<'_> {
 }
 
 /// Elements that lie together, with their dofs.
-struct Part<'a> {
-    elements: Range<usize>,
-    force: &'a mut [f64],
+pub(super) struct Part<'a> {
+    pub elements: Range<usize>,
+    pub force: &'a mut [f64],
     /// `None`: forces only.
-    tangent: Option<&'a mut [f64]>,
-    energy: &'a mut [Result<f64, Failure>],
-    state: &'a mut [f64],
+    pub tangent: Option<&'a mut [f64]>,
+    pub energy: &'a mut [Result<f64, Failure>],
+    pub state: &'a mut [f64],
 }
 
 impl<'a> Part<'a> {

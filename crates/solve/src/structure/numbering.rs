@@ -107,6 +107,13 @@ impl ElementNumbering {
         elements.map(|(_, element, _)| element).collect()
     }
 
+    /// Elements with a dof that does not stand for an unknown: prescribed, or following others.
+    pub fn at_the_border(&self, constraints: &ConstraintNumbering) -> Vec<usize> {
+        let bears = |own: &[usize]| own.iter().any(|&dof| constraints.equation(dof).is_none());
+        let elements = self.elements().filter(|(_, _, own)| bears(own));
+        elements.map(|(_, element, _)| element).collect()
+    }
+
     /// Sets of dofs that couple.
     pub fn cliques(&self) -> impl Iterator<Item = &[usize]> {
         self.elements().map(|(_, _, own)| own)

@@ -135,6 +135,7 @@ impl Built {
             pattern: &self.pattern,
             values: &mut values,
             product: Some(Product { vector, into: &mut into }),
+            keep: None,
         };
         structure.evaluate(&at(u, stresses), &mut room, gather, pool);
         (values, room, into)
@@ -343,4 +344,40 @@ fn stresses_after_by_differences() {
         let line = here[k] + (up[k] - down[k]) / 2e-6;
         assert!((arrived[k] - line).abs() < 1e-6 * largest, "{k}: {} {line}", arrived[k]);
     }
+}
+
+/// Requirement: tangents that are kept do with a vector what those of all elements do, and blocks alone
+/// have the forces and energies that they have among all.
+#[test]
+fn parts_are_those_of_the_whole() {
+    let built = build(&model(4), true);
+    let u = motion(&built);
+    let (structure, constraints) = (built.structure(), built.constraints());
+    let (mut rows, mut values) = (Rows::default(), vec![0.0; built.pattern.entries()]);
+    constraints.linearise((&u, &[]), &mut rows);
+    let all: Vec<usize> = (0..structure.numbering.count).collect();
+    let mut tangents = Vec::new();
+    let gather = Gather {
+        constraints,
+        rows: &rows,
+        pattern: &built.pattern,
+        values: &mut values,
+        product: None,
+        keep: Some(Keep { elements: &all, into: &mut tangents }),
+    };
+    let (mut whole, mut parts) = (structure.room(), structure.room());
+    structure.evaluate(&at(&u, None), &mut whole, gather, None);
+    let (.., product) = built.gathered((&u, None), &u, None);
+    let mut kept = vec![0.0; u.len()];
+    structure.multiply_kept((&all, &tangents), &u, &mut kept);
+    assert_eq!(product, kept);
+    let (mut force, mut of_parts) = (vec![0.0; u.len()], vec![0.0; u.len()]);
+    let stored = structure.gather_force(&whole, &mut force);
+    let mut sum = 0.0;
+    for (number, _) in structure.blocks() {
+        structure.evaluate_block(number, &at(&u, None), &mut parts, None);
+        sum += structure.add_block(number, (2.0, &parts), &mut of_parts).unwrap();
+    }
+    assert!((sum - 2.0 * stored).abs() <= 1e-14 * stored);
+    force.iter().zip(&of_parts).for_each(|(one, two)| assert_eq!(2.0 * one, *two));
 }

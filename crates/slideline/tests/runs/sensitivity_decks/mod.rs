@@ -8,6 +8,7 @@ use slideline::{
 };
 use std::ops::ControlFlow;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Part of a response that a change of a parameter by its own size changes, below which the response
 /// counts as independent [1].
@@ -25,6 +26,8 @@ pub struct Seen {
     pub times: Vec<f64>,
     pub rates: Vec<Vec<Vec<f64>>>,
     pub one_sided: Vec<Vec<bool>>,
+    /// How many models of every parameter were asked for.
+    pub models: Vec<usize>,
 }
 
 impl Observer for Seen {
@@ -76,10 +79,13 @@ impl Varied {
     /// The run at its own values, differentiated.
     pub fn differentiated(&self) -> Seen {
         let model = self.deck.model(&self.settings(0, self.values[0])).unwrap();
+        let asked: Vec<_> = self.names.iter().map(|_| Arc::new(AtomicUsize::new(0))).collect();
         let parameters: Vec<Parameter> = (0..self.names.len())
             .map(|k| {
                 let (deck, settings) = (self.deck.clone(), self.settings(k, self.values[k]));
+                let asked = Arc::clone(&asked[k]);
                 let model = move |value: f64| {
+                    asked.fetch_add(1, Ordering::Relaxed);
                     let mut own = settings.clone();
                     own[k].value = format!("{value:e}");
                     deck.model(&own).ok()
@@ -98,6 +104,7 @@ impl Varied {
         let ending = ending.unwrap().unwrap();
         assert!(matches!(ending, slideline::observe::Ending::Completed(_)), "{ending:?}");
         assert_eq!(seen.rates.len(), self.names.len());
+        seen.models = asked.iter().map(|own| own.load(Ordering::Relaxed)).collect();
         seen
     }
 

@@ -1,10 +1,11 @@
 //! What the neighbours of an increment stand in, and how far their forces tell of rates.
 
-use super::super::shown::Rows;
+use super::told::Shelf;
 use crate::newton::{Rates, Scratch};
 use crate::problem::Problem;
 use crate::sensitivity::Bend;
 use crate::state::State;
+use crate::tangent::Kept;
 
 /// What the neighbours stand in, one behind the other, to be used again.
 #[derive(Default)]
@@ -18,7 +19,13 @@ pub struct Room {
     pub(super) sides: [Scratch; 4],
     pub(super) before: [State; 4],
     pub(super) after: [State; 4],
-    pub(super) rows: [Rows; 4],
+    /// Where frames stand that observers ask for.
+    pub(super) shelf: Shelf,
+    /// What is kept of the tangent of the base.
+    pub(super) kept: Kept,
+    pub(super) tangent: Moves,
+    /// Room for the rates of a state.
+    pub(super) rates_of_state: Vec<f64>,
     pub(super) rates: Rates,
     pub(super) residual: Vec<f64>,
     pub(super) defects: Vec<f64>,
@@ -28,13 +35,30 @@ pub struct Room {
     pub(super) least_force: f64,
 }
 
+/// How the parts of an increment follow a parameter, and room to find it.
+#[derive(Default)]
+pub struct Moves {
+    /// Displacements and rotations, a dof each.
+    pub(super) moved: Vec<f64>,
+    /// Forces of what the parameter touches of the elements, displacements held.
+    pub(super) touched: Vec<f64>,
+    /// All forces, loads among them.
+    pub(super) force: Vec<f64>,
+    /// Room for both neighbours.
+    pub(super) pair: [Vec<f64>; 2],
+}
+
 impl Room {
     /// Makes room for a step.
     pub(super) fn fit(&mut self, plan: &Problem<'_>, step: usize) {
         let own = (step, plan.contact.points.len());
         if self.step != own {
             self.step = own;
-            self.sides.iter_mut().chain([&mut self.base]).for_each(|side| side.fit_near(plan));
+            let shown = self.shelf.works.iter_mut();
+            let all = self.sides.iter_mut().chain([&mut self.base]).chain(shown);
+            all.for_each(|side| side.fit_near(plan));
+            let elements = plan.structure.numbering.at_the_border(plan.constraints.numbering);
+            self.kept.elements = elements;
         }
     }
 
