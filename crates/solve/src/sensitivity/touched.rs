@@ -51,7 +51,9 @@ impl Touched {
 /// there alike.
 fn is_placed_alike(one: &Model, other: &Model) -> bool {
     let alike = |(one, other): (&ContactPair, &ContactPair)| {
-        one.master == other.master && one.interaction.width == other.interaction.width
+        one.master == other.master
+            && one.offset == other.offset
+            && one.interaction.width == other.interaction.width
     };
     let steps = one.steps.iter().zip(&other.steps);
     one.nodes == other.nodes
