@@ -1,23 +1,20 @@
 //! Dofs that the constraints of a deck join to others.
 
-use super::linear::Source;
-use super::numbering::ConstraintNumbering;
+use super::linear::{LinearConstraint, Source};
+use super::rigid::RigidLink;
 use std::collections::HashSet;
 
-impl ConstraintNumbering {
-    /// Dofs that equations name and that follow rigid bodies; not those of the bodies, which stand for
-    /// all that follows them.
-    pub(super) fn find_joined(&self) -> Vec<usize> {
-        let said = self.linear.iter().filter(|own| matches!(own.source, Source::Said(_)));
-        let said = said.flat_map(|own| {
-            own.terms.iter().map(|&(dof, _)| dof).chain(std::iter::once(own.dependent))
-        });
-        let follows = self.rigid.iter().flat_map(|link| link.dependent_dofs().map(|own| own.1));
-        let bodies = self
-            .rigid
-            .iter()
-            .flat_map(|link| (0..6).flat_map(|component| link.followed(component)).flatten());
-        let bodies: HashSet<usize> = bodies.collect();
-        said.chain(follows).filter(|dof| !bodies.contains(dof)).collect()
-    }
+/// Dofs that equations name and that follow rigid bodies; not those of the bodies, which stand for
+/// all that follows them.
+pub fn joined(linear: &[LinearConstraint], rigid: &[RigidLink]) -> Vec<usize> {
+    let said = linear.iter().filter(|own| matches!(own.source, Source::Said(_)));
+    let said = said.flat_map(|own| {
+        own.terms.iter().map(|&(dof, _)| dof).chain(std::iter::once(own.dependent))
+    });
+    let follows = rigid.iter().flat_map(|link| link.dependent_dofs().map(|own| own.1));
+    let bodies = rigid
+        .iter()
+        .flat_map(|link| (0..6).flat_map(|component| link.followed(component)).flatten());
+    let bodies: HashSet<usize> = bodies.collect();
+    said.chain(follows).filter(|dof| !bodies.contains(dof)).collect()
 }

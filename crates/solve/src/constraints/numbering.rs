@@ -1,6 +1,7 @@
 //! Roles of all dofs, equations of the unknowns, and which dofs the others follow.
 
 use super::deserted::deserted;
+use super::joined::joined;
 use super::linear::{self, LinearConstraint};
 use super::rigid::{self, RigidLink};
 use crate::dofs::DofMap;
@@ -91,7 +92,7 @@ impl ConstraintNumbering {
         }
         new.number_unknowns();
         if model.dialect == Dialect::Calculix {
-            new.joined = new.find_joined();
+            new.joined = joined(&new.linear, &new.rigid);
         }
         new
     }
