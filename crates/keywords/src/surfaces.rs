@@ -146,6 +146,8 @@ pub(crate) struct Pairing {
     pub no_thickness: bool,
     /// `TIED`: the slaves do not leave the master.
     pub is_tied: bool,
+    /// Axes of the slave and of the master, by name.
+    pub axes: [Option<(String, Span)>; 2],
     /// The data line.
     pub origin: Span,
 }

@@ -4,9 +4,11 @@ use crate::friction::Friction;
 use crate::node::NodeIndex;
 use crate::vocabulary::Vocabulary;
 use slideline_diag::Span;
+use slideline_mech::axes::{Axes, PLAIN};
 pub use slideline_mech::contact::gap::offset::Offset;
 use slideline_mech::contact::normal::NormalLaw;
 use slideline_mech::element::cell::{Cell, QUAD4, QUAD8, TRI3, TRI6};
+use slideline_mech::orientation::Orientation;
 use slideline_mech::surface::mesh::MeshFace;
 pub use slideline_mech::surface::swept::Sweep;
 
@@ -40,6 +42,9 @@ pub struct ContactPair {
     pub offset: Offset,
     /// Slave nodes that begin on the master.
     pub adjust: Adjust,
+    /// Axes of the slave surface and of the master, where they are given: those of two coefficients
+    /// of friction.
+    pub axes: [Option<Orientation>; 2],
     /// The card that made the pair.
     pub origin: Span,
 }
@@ -59,6 +64,16 @@ pub enum Adjust {
 }
 
 impl ContactPair {
+    /// Axes of space at a place of the slave surface; those of the model where none are given.
+    pub fn axes_of_slave(&self, at: [f64; 3]) -> Axes {
+        self.axes[0].map_or(PLAIN, |own| own.at(&[], at))
+    }
+
+    /// The same of the master.
+    pub fn axes_of_master(&self, at: [f64; 3]) -> Axes {
+        self.axes[1].map_or(PLAIN, |own| own.at(&[], at))
+    }
+
     /// Slave nodes in order of first appearance, each once.
     pub fn slave_nodes(&self) -> Vec<NodeIndex> {
         let of_faces = self.faces.iter().map(|f| f.nodes.len()).sum::<usize>();

@@ -190,6 +190,7 @@ mod tests {
         let pair = ContactPair {
             of_solids: false,
             adjust: slideline_model::Adjust::Nothing,
+            axes: [None; 2],
             corners: Vec::new(),
             offset: slideline_model::Offset::NONE,
             slaves: Vec::new(),

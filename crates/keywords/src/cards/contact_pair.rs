@@ -74,7 +74,7 @@ impl Keyword for ContactPair {
         }
         let given = ["SMOOTH", "EXTENSION ZONE"].into_iter().find(|name| card.has(name));
         for line in card.data() {
-            draft.log.at_most(line, 2);
+            draft.log.at_most(line, 4);
             let slave = surface(line, 0, "the slave surface", &mut draft.log);
             let Some(slave) = slave else { continue };
             // one surface alone meets itself
@@ -98,6 +98,7 @@ impl Keyword for ContactPair {
                 adjust: adjust.clone(),
                 no_thickness: card.has("NO THICKNESS"),
                 is_tied: card.has("TIED"),
+                axes: [2, 3].map(|at| line.field(at).map(|own| (normalise(&own.text), own.span))),
                 origin: line.span,
             });
         }

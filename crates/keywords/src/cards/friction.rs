@@ -85,7 +85,6 @@ fn exclusions(card: &Reading<'_>, draft: &mut Draft) {
         ("USER", "EXPONENTIAL DECAY"),
         ("ANISOTROPIC", "ROUGH"),
         ("ANISOTROPIC", "USER"),
-        ("ANISOTROPIC", "TAUMAX"),
         ("ANISOTROPIC", "EXPONENTIAL DECAY"),
     ] {
         if card.has(first) && card.has(second) {

@@ -126,6 +126,7 @@ fn pair(surface: &Surface, strayed: bool, in_pair: &mut HashMap<usize, Span>, dr
             formulation,
             vocabulary: Vocabulary::Elements,
             adjust: slideline_model::Adjust::Nothing,
+            axes: [None; 2],
             corners: Vec::new(),
             offset: Offset::NONE,
             slaves: Vec::new(),

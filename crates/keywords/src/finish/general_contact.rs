@@ -294,6 +294,7 @@ impl Made<'_> {
                 adjust: adjust.clone(),
                 no_thickness: true,
                 is_tied: false,
+                axes: [None, None],
                 alone: false,
                 origin: self.general.origin,
             });

@@ -1,13 +1,14 @@
-//! Axes of materials: from names and nodes to systems.
+//! Axes of materials and of surfaces: from names and nodes to systems.
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::element::solid::Kinematics as Strains;
 use slideline_mech::orientation::{Basis, Orientation, of_nodes};
-use slideline_model::{ElementType, Kinematics, NodeIndex};
+use slideline_model::{ElementType, Kinematics, Master, MasterFaces, NodeIndex};
 
 use crate::axes::{Given, system_of};
 use crate::draft::{Draft, Element};
 use crate::rule::Subject;
+use crate::surfaces::Pairing;
 
 /// The axes that a section names: `Some(None)` without, `None` after an error.
 pub(super) fn of_section(
@@ -53,6 +54,35 @@ pub(super) fn of_section(
         }
     };
     Some(Some(Orientation { basis, turn: found.turn }))
+}
+
+/// The axes that the pair names for its surfaces; `None` after an error. Those of an analytical surface
+/// are its profile and what stands across it.
+pub(super) fn of_pair(
+    pairing: &Pairing,
+    master: &Master,
+    draft: &mut Draft,
+) -> Option<[Option<Orientation>; 2]> {
+    let is_analytical = matches!(
+        master,
+        Master::RigidSurface(_) | Master::Faces(MasterFaces { swept: Some(_), .. })
+    );
+    let mut all = [None; 2];
+    for (into, named) in all.iter_mut().zip(&pairing.axes) {
+        let Some((name, span)) = named else { continue };
+        *into = of_section(Some(&(name.clone(), *span)), draft)?;
+        let of_nodes = into.is_some_and(|own| matches!(own.basis, Basis::Nodes(_)));
+        if is_analytical || of_nodes {
+            let why = match is_analytical {
+                true => "axes of a pair with an analytical surface are those of its profile",
+                false => "axes of a surface are not given by nodes of an element",
+            };
+            let error = Diagnostic::error(Code("SL0221"), format!("{why}: leave {name} out"));
+            draft.consequence(Subject::Contact, error.at(*span));
+            return None;
+        }
+    }
+    Some(all)
 }
 
 /// Complains about axes that an element cannot have: nodes that give none, or axes out of its

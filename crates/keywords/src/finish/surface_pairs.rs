@@ -31,6 +31,7 @@ use super::in_space::{self, at_nodes_in_space};
 use super::inner_faces::warn_of_inner_faces;
 use super::laws_of_pairs::as_read;
 use super::master_chain::slide_line;
+use super::orientations::of_pair;
 use super::own_surface::own_surface;
 use super::owners::bodies;
 use super::remarks::remarks;
@@ -208,6 +209,7 @@ fn put_together(
         Master::Itself(_) => pairing.slave.name.clone(),
         _ => format!("{}/{}", pairing.slave.name, pairing.master.name),
     };
+    let Some(axes) = of_pair(pairing, &master, draft) else { return };
     let pair = ContactPair {
         name,
         formulation,
@@ -221,6 +223,7 @@ fn put_together(
         interaction,
         offset,
         adjust,
+        axes,
         origin: pairing.origin,
     };
     both_sides(&pair, pairing.origin, draft);

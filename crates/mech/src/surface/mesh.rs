@@ -17,8 +17,9 @@ use super::edges::{area, ends, faces_around, neighbours, nodes_at_ends, normal};
 use super::patch::{MOST_CORNERS, MOST_NODES, Patch};
 use super::star::{Corner, Star, StarNormal};
 use super::swept::Swept;
+use crate::axes::Axes;
 use crate::element::cell::QUAD4;
-use crate::vector::{Vector, size};
+use crate::vector::{Vector, add, scale, size};
 use std::collections::HashMap;
 
 /// What follows from the way in which faces are joined.
@@ -128,9 +129,9 @@ impl FaceMesh {
         self.axes.clear();
     }
 
-    /// Notes the axes of its faces as they are undeformed, by the positions of its nodes [L]; those of
-    /// an analytical surface are its profile and what stands across it.
-    pub fn take_axes(&mut self, position: impl Fn(usize) -> Vector) {
+    /// Notes the axes of its faces as they are undeformed, by the axes of space in their middles and the
+    /// positions of its nodes [L]; those of an analytical surface are its profile and what stands across it.
+    pub fn take_axes(&mut self, axes: impl Fn(Vector) -> Axes, position: impl Fn(usize) -> Vector) {
         if self.swept.is_some() {
             return;
         }
@@ -138,7 +139,9 @@ impl FaceMesh {
             let nodes: Vec<Vector> = face.nodes.iter().map(|&node| position(node)).collect();
             let patch = Patch::new(face.cell, &nodes, None);
             let (tangents, normal) = patch.frame(&patch.place(patch.middle()))?;
-            Some(bearing_of_axis(tangents[0], normal))
+            let middle = nodes.iter().fold([0.0; 3], |sum, &at| add(sum, at));
+            let middle = scale(middle, 1.0 / nodes.len() as f64);
+            Some(bearing_of_axis(axes(middle), tangents[0], normal))
         };
         self.axes = self.faces.iter().map(|face| of_face(face).unwrap_or([1.0, 0.0])).collect();
     }

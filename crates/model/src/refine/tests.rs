@@ -51,6 +51,7 @@ fn pair(nodes: &[NodeIndex], master: Master) -> ContactPair {
         vocabulary: crate::Vocabulary::Elements,
         elements: elements.collect(),
         adjust: crate::Adjust::Nothing,
+        axes: [None; 2],
         corners: Vec::new(),
         offset: crate::Offset::NONE,
         slaves: Vec::new(),

@@ -8,6 +8,7 @@ mod change_friction;
 mod changed_properties;
 mod contact_in_space;
 mod contact_totals;
+mod crosspoints;
 mod decaying_friction;
 mod field;
 mod flush_blocks;

@@ -30,20 +30,22 @@ enum Floor {
 
 /// A block pressed on a floor that does not give, and pulled along it.
 #[derive(Clone, Copy, Debug)]
-struct Pull {
+struct Pull<'a> {
     floor: Floor,
     /// The card and its data line.
-    friction: &'static str,
+    friction: &'a str,
     /// Direction of the pull to x in the undeformed floor, before the whole is turned.
     towards: f64,
     /// Turn of the whole.
     angle: f64,
+    /// Turn of the axes that the pair names, from x in the undeformed floor.
+    axes: Option<f64>,
 }
 
-const PULL: Pull =
-    Pull { floor: Floor::Faces, friction: "*FRICTION\n0.3", towards: 0.5, angle: 0.0 };
+const PULL: Pull<'_> =
+    Pull { floor: Floor::Faces, friction: "*FRICTION\n0.3", towards: 0.5, angle: 0.0, axes: None };
 
-impl Pull {
+impl Pull<'_> {
     fn way(&self) -> Vector {
         let (sine, cosine) = self.towards.sin_cos();
         turn([cosine, sine, 0.0], self.angle)
@@ -83,9 +85,16 @@ impl Pull {
         let _ = writeln!(
             deck,
             "*SURFACE INTERACTION, NAME=I\n{}\n\
-             *CONTACT PAIR, INTERACTION=I, TYPE={formulation}\nSLAVE, MASTER",
-            self.friction
+             *CONTACT PAIR, INTERACTION=I, TYPE={formulation}\nSLAVE, MASTER{}",
+            self.friction,
+            if self.axes.is_some() { ", AXES, AXES" } else { "" }
         );
+        if let Some(axes) = self.axes {
+            let along =
+                |by: f64| of([by.cos(), by.sin(), 0.0]).map(|x| format!("{x:?}")).join(", ");
+            let (first, second) = (along(axes), along(axes + 1.5));
+            let _ = writeln!(deck, "*ORIENTATION, NAME=AXES\n{first}, {second}");
+        }
         let last = if self.floor == Floor::Plane { 6 } else { 3 };
         let way = self.way();
         let down = of([0.0, 0.0, -STRAIN]);
@@ -108,6 +117,10 @@ impl Pull {
     fn drag(&self, coefficients: [f64; 2]) -> Vector {
         let normal = turn([0.0, 0.0, 1.0], self.angle);
         let first = match self.floor {
+            _ if self.axes.is_some() => {
+                let (sine, cosine) = self.axes.unwrap_or(0.0).sin_cos();
+                turn([cosine, sine, 0.0], self.angle)
+            }
             Floor::Plane => turn([1.0, 0.0, 0.0], self.angle),
             Floor::Faces | Floor::Spread => {
                 let across: Vector =
@@ -126,6 +139,20 @@ impl Pull {
         let whole = (coefficients[0] * along[0]).hypot(coefficients[1] * along[1]);
         let [a, b] = [0, 1].map(|k| coefficients[k] * coefficients[k] * along[k] / whole);
         std::array::from_fn(|k| -a * first[k] - b * second[k])
+    }
+
+    /// Holds the force on the block against what is expected of a limit of the traction that all of the
+    /// foot has reached, over its area of 1.
+    fn holds_at(&self, last: &Last, coefficients: [f64; 2], limit: f64) {
+        let largest = coefficients[0].max(coefficients[1]);
+        let drag = self.drag(coefficients.map(|own| own / largest));
+        let (force, normal) = (last.force(), turn([0.0, 0.0, 1.0], self.angle));
+        let press: f64 = (0..3).map(|k| force[k] * normal[k]).sum();
+        let off: Vector = std::array::from_fn(|k| force[k] - press * normal[k] - limit * drag[k]);
+        let carried = if self.floor == Floor::Spread { STRAIN } else { 0.0 };
+        assert!(press > 1.0, "{self:?}: {press}");
+        assert!(size(off) < (1e-6 + carried) * limit, "{self:?}: {force:?}, off by {off:?}");
+        assert!(last.worst < 1e-9, "{self:?}: balance {}", last.worst);
     }
 
     /// Holds the force on the block against what is expected.
@@ -157,10 +184,40 @@ fn the_drag_leans_towards_the_larger_coefficient() {
     for floor in [Floor::Faces, Floor::Spread, Floor::Plane] {
         for (friction, coefficients) in cards {
             for (towards, angle) in [(0.5, 0.0), (2.2, 0.8)] {
-                let pull = Pull { floor, friction, towards, angle };
+                let pull = Pull { floor, friction, towards, angle, axes: None };
                 let last = solved(&pull.deck());
                 pull.holds(&last, coefficients);
                 assert!(last.most() <= 5, "{pull:?}: {:?}", last.iterations);
+            }
+        }
+    }
+}
+
+/// Requirement: the same along axes that the pair names, at the nodes those of the master, over faces those of
+/// the slave.
+#[test]
+fn the_pair_names_the_axes() {
+    let friction = "*FRICTION, ANISOTROPIC\n0.2, 0.5";
+    for floor in [Floor::Faces, Floor::Spread] {
+        for (axes, angle) in [(0.4, 0.0), (-1.1, 0.8)] {
+            let pull = Pull { floor, friction, towards: 0.5, angle, axes: Some(axes) };
+            pull.holds(&solved(&pull.deck()), [0.2, 0.5]);
+        }
+    }
+}
+
+/// Requirement: where the traction has reached TAUMAX everywhere, the drag is that limit along the axis of
+/// the larger coefficient, and smaller by the ratio of both along the other: an ellipse of the same shape.
+/// Tolerance: as above.
+#[test]
+fn a_limit_of_the_traction_keeps_the_shape_of_the_ellipse() {
+    let coefficients = [0.2, 0.5];
+    for stick in ["", ", LAGRANGE"] {
+        let friction = format!("*FRICTION, ANISOTROPIC, TAUMAX=0.05{stick}\n0.2, 0.5");
+        for floor in [Floor::Faces, Floor::Spread, Floor::Plane] {
+            for (towards, angle) in [(0.5, 0.0), (2.2, 0.8)] {
+                let pull = Pull { floor, friction: &friction, towards, angle, axes: None };
+                pull.holds_at(&solved(&pull.deck()), coefficients, 0.05);
             }
         }
     }

@@ -44,6 +44,7 @@ fn contact() -> ContactPair {
         formulation: Formulation::NodeToSurface,
         vocabulary: Vocabulary::Elements,
         adjust: slideline_model::Adjust::Nothing,
+        axes: [None; 2],
         corners: Vec::new(),
         offset: slideline_model::Offset::NONE,
         slaves: Vec::new(),

@@ -39,16 +39,19 @@ pub(super) fn friction(
         Friction::Frictionless => FrictionLaw::None,
         friction if !friction.acts() => FrictionLaw::None,
         Friction::Coulomb { coefficient, second, limit, decay, stick } => {
-            // in the plane there is one direction
-            let second = second.filter(|_| model.is_in_space());
-            let (coefficient, ellipse) = match second {
+            let (largest, of_both) = match *second {
                 Some(second) => Ellipse::of([*coefficient, second]),
                 None => (*coefficient, Ellipse::CIRCLE),
+            };
+            // in the plane there is one direction, with its share of the limit
+            let (coefficient, ellipse, share) = match model.is_in_space() {
+                true => (largest, of_both, 1.0),
+                false => (*coefficient, Ellipse::CIRCLE, of_both.coefficients(1.0)[0]),
             };
             FrictionLaw::Coulomb {
                 coefficient,
                 ellipse,
-                limit: *limit,
+                limit: limit.map(|limit| share * limit),
                 decay: decay.map(|decay| Decay { kinetic: decay.kinetic, rate: decay.rate }),
                 stick: match stick {
                     // Exact stick at every integration point would fix more than the nodes can follow.

@@ -59,7 +59,8 @@ impl Contact {
             mortar.take(model, |point, area| points[first + point].area += area);
             mortar.axes.clear();
             if laws::is_directed(model, mortar.pair) {
-                mortar.take_axes();
+                let pair = &model.contact_pairs[mortar.pair];
+                mortar.take_axes(|at| pair.axes_of_slave(at));
             }
         }
         for mortar in mortars {
@@ -134,7 +135,8 @@ impl Contact {
         if let MasterSurface::Faces { mesh, nodes, .. } = &mut self.masters[index] {
             mesh.forget_axes();
             if laws::is_directed(model, index) {
-                mesh.take_axes(|node| nodes[node].0);
+                let pair = &model.contact_pairs[index];
+                mesh.take_axes(|at| pair.axes_of_master(at), |node| nodes[node].0);
             }
         }
     }

@@ -123,6 +123,7 @@ pub(crate) fn model(line: bool, offset: Offset) -> Model {
     let pair = ContactPair {
         of_solids: false,
         adjust: slideline_model::Adjust::Nothing,
+        axes: [None; 2],
         corners: Vec::new(),
         offset,
         slaves: Vec::new(),

@@ -1,6 +1,7 @@
 //! The faces of a slave surface in space.
 
 use crate::dofs::{DofMap, Translations};
+use slideline_mech::axes::Axes;
 use slideline_mech::contact::pair::mortar_faces::{
     FacePlaces, MOST_CORNERS, MOST_NODES, corners, reference_areas,
 };
@@ -111,8 +112,8 @@ impl FaceMortar {
         own
     }
 
-    /// Notes the axes of the undeformed surface at its points.
-    pub fn take_axes(&mut self) {
+    /// Notes the axes of the undeformed surface at its points, by the axes of space there.
+    pub fn take_axes(&mut self, axes: impl Fn(Vector) -> Axes) {
         let edges = |&(face, corner): &(usize, usize)| {
             let own: &SlaveFace = &self.faces[face];
             let at = |corner: usize| self.positions[own.nodes[corner]];
@@ -122,7 +123,9 @@ impl FaceMortar {
             let sum = |sum, [next, last]: [Vector; 2]| add(sum, cross(next, last));
             let across = corners.iter().map(edges).fold([0.0; 3], sum);
             let [first, _] = corners.first().map(edges).unwrap_or_default();
-            bearing_of_axis(first, scale(across, -1.0 / size(across)))
+            let at = corners.first().map(|&(face, corner)| self.faces[face].nodes[corner]);
+            let axes = axes(at.map_or([0.0; 3], |node| self.positions[node]));
+            bearing_of_axis(axes, first, scale(across, -1.0 / size(across)))
         };
         self.axes = self.of_point.iter().map(of_point).collect();
     }
