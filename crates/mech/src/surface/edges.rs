@@ -50,6 +50,16 @@ pub(super) fn neighbours(faces: &[MeshFace]) -> Vec<[Option<usize>; MOST_CORNERS
     all
 }
 
+/// At which edges of faces a surface ends or has a crease; `position` gives undeformed positions of
+/// nodes [L].
+pub fn surface_ends(
+    faces: &[MeshFace],
+    position: impl Fn(usize) -> Vector,
+) -> Vec<[bool; MOST_CORNERS]> {
+    let normals: Vec<_> = faces.iter().map(|face| normal(face, &position)).collect();
+    ends(faces, &neighbours(faces), |a, b| !is_crease(normals[a], normals[b]))
+}
+
 pub(super) fn ends(
     faces: &[MeshFace],
     neighbours: &[[Option<usize>; MOST_CORNERS]],
@@ -64,7 +74,7 @@ pub(super) fn ends(
 }
 
 /// The nodes on edges at which a surface ends, in order.
-pub(super) fn nodes_at_ends(faces: &[MeshFace], ends: &[[bool; MOST_CORNERS]]) -> Vec<usize> {
+pub fn nodes_at_ends(faces: &[MeshFace], ends: &[[bool; MOST_CORNERS]]) -> Vec<usize> {
     let mut nodes = Vec::new();
     for (face, ends) in faces.iter().zip(ends) {
         let corners = face.cell.faces.len();

@@ -12,8 +12,8 @@
 //! the four markers of its body.
 
 use super::axes::{Bearing, axis, bearing_of_axis};
-pub use super::edges::{MeshFace, is_crease};
-use super::edges::{area, ends, faces_around, neighbours, nodes_at_ends, normal};
+pub use super::edges::{MeshFace, is_crease, nodes_at_ends, surface_ends};
+use super::edges::{area, ends, faces_around, neighbours, normal};
 use super::patch::{MOST_CORNERS, MOST_NODES, Patch};
 use super::star::{Corner, Star, StarNormal};
 use super::swept::Swept;

@@ -28,7 +28,7 @@ mod sweep;
 pub use clip::{Corner, Overlap};
 pub use couple::Couple;
 pub use cover::{Cover, Faced};
-pub use ends::FaceEnds;
+pub use ends::{Ends, FaceEnds};
 pub use face_places::FacePlaces;
 pub use places::Place;
 pub use pull::{Carried, Load};

@@ -4,8 +4,8 @@ use super::super::master::MasterSurface;
 use super::super::pairs::Contact;
 use super::slave::{FaceMortar, SlaveFace};
 use slideline_mech::contact::pair::mortar_faces::{
-    Couple, Cover, FaceEnds, FacePlaces, Faced, MOST_CORNERS, MOST_NODES, Overlap, Sums, Weights,
-    corners,
+    Couple, Cover, Ends, FaceEnds, FacePlaces, Faced, MOST_CORNERS, MOST_NODES, Overlap, Sums,
+    Weights, corners,
 };
 use slideline_mech::contact::search::faces::{FaceTree, bounds, tree};
 use slideline_mech::surface::mesh::FaceMesh;
@@ -64,7 +64,8 @@ impl FaceState {
     /// The face with what an overlap faces.
     pub fn couple<'a>(&'a self, own: &'a SlaveFace, overlap: &Overlap) -> Couple<'a, f64> {
         let Faced { places: master, ends, .. } = &self.masters[overlap.master];
-        Couple { slave: &self.places, measure: &own.measure, master, ends: *ends }
+        let ends = Ends { slave: own.ends, master: *ends };
+        Couple { slave: &self.places, measure: &own.measure, master, ends }
     }
 
     /// Integrates over the overlaps; what faces nothing is left out.

@@ -3,10 +3,10 @@
 use crate::dofs::{DofMap, Translations};
 use slideline_mech::axes::Axes;
 use slideline_mech::contact::pair::mortar_faces::{
-    FacePlaces, MOST_CORNERS, MOST_NODES, corners, reference_areas,
+    FaceEnds, FacePlaces, MOST_CORNERS, MOST_NODES, corners, reference_areas,
 };
 use slideline_mech::surface::axes::{Bearing, bearing_of_axis};
-use slideline_mech::surface::mesh::smooth_groups;
+use slideline_mech::surface::mesh::{nodes_at_ends, smooth_groups, surface_ends};
 use slideline_mech::vector::{Vector, add, cross, scale, size, sub};
 use slideline_model::{ContactPair, Model, NodeIndex};
 use std::collections::HashMap;
@@ -22,6 +22,8 @@ pub struct SlaveFace {
     pub points: [usize; MOST_CORNERS],
     /// Undeformed area by the coordinates of its cell, at its nodes [L2].
     pub measure: [f64; MOST_NODES],
+    /// Where the surface ends or has a crease.
+    pub ends: FaceEnds,
 }
 
 /// The slave surface of a pair.
@@ -87,6 +89,7 @@ impl FaceMortar {
                 count: face.nodes.len(),
                 points: [0; MOST_CORNERS],
                 measure: [0.0; MOST_NODES],
+                ends: FaceEnds::default(),
             };
             for (into, &node) in own.nodes.iter_mut().zip(&face.nodes) {
                 *into = *place_of.entry(node).or_insert_with(|| {
@@ -134,6 +137,14 @@ impl FaceMortar {
     fn part(&mut self, model: &Model, pair: &ContactPair, slaves: usize) {
         let (mesh, at) = (pair.mesh_faces(), |node| model.nodes.get(node).position);
         let groups = smooth_groups(&mesh, at);
+        let ends = surface_ends(&mesh, at);
+        let nodes = nodes_at_ends(&mesh, &ends);
+        for ((face, of_mesh), edges) in self.faces.iter_mut().zip(&mesh).zip(ends) {
+            let is_end = |k: usize| {
+                of_mesh.nodes.get(k).is_some_and(|node| nodes.binary_search(node).is_ok())
+            };
+            face.ends = FaceEnds { edges, nodes: std::array::from_fn(is_end) };
+        }
         let mut owners: HashMap<(usize, usize), usize> = HashMap::new();
         let mut met = vec![false; slaves];
         let mut next = slaves;

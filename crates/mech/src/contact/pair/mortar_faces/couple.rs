@@ -1,7 +1,7 @@
 //! A slave face and a face of the master in a configuration.
 
 use super::clip::Overlap;
-use super::ends::FaceEnds;
+use super::ends::Ends;
 use super::face_places::{FacePlaces, Plane};
 use super::shapes::MOST_NODES;
 use crate::differentiate::Real;
@@ -15,8 +15,8 @@ pub struct Couple<'a, R> {
     pub measure: &'a [f64; MOST_NODES],
     /// The face of the master.
     pub master: &'a FacePlaces<R>,
-    /// Where that is at an end of its surface.
-    pub ends: FaceEnds,
+    /// Where they are at ends of their surfaces.
+    pub ends: Ends,
 }
 
 impl<R: Real> Couple<'_, R> {

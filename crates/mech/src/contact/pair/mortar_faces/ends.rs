@@ -16,3 +16,12 @@ pub struct FaceEnds {
     /// Its nodes that are.
     pub nodes: [bool; MOST_NODES],
 }
+
+/// Where a slave face and what it faces are at ends of their surfaces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Ends {
+    /// The face of the slave.
+    pub slave: FaceEnds,
+    /// That of the master.
+    pub master: FaceEnds,
+}

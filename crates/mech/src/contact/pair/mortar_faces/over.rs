@@ -1,36 +1,44 @@
-//! Where the master ends beside an edge of the slave.
+//! Where both surfaces end.
 //!
 //! ```text
-//!   slave  ______o_______          the end of the master passes an edge of a slave face, at which the
-//!                |                 normals of two faces meet or the slave ends: what it bounds goes
-//!   master --------|               over smoothly into the edge, and so does the force that follows it
+//!   slave  ______________          the end of the master passes that of the slave: what it bounds
+//!                        |         goes over smoothly into the end of the slave, and so does the
+//!   master ----------------|       force that follows the bound
 //! ```
 //!
-//! docs/theory.md section 5.11, where the master ends
+//! docs/theory.md section 5.11, where both surfaces end
 
 use super::clip::{Corner, Overlap};
 use super::couple::Couple;
+use super::ends::Ends;
 use super::shapes::{corners, pieces};
 use crate::differentiate::Real;
 
-/// Part of a cell beside its edge in which bounds stand at the edge [1].
+/// Part of a cell beside an end of the slave in which bounds stand at it: there surfaces end together
+/// [1].
 const TOGETHER: f64 = 0.01;
-/// Part of a cell beside its edge in which bounds go over into the edge [1].
+/// Part of a cell beside an end of the slave in which bounds go over into it [1].
 const WIDTH: f64 = 0.05;
 
 /// A place on a cell after it went over, with its derivatives by the one before.
 pub(super) type Moved<R> = ([R; 2], [[R; 2]; 2]);
 
 impl<R: Real> Couple<'_, R> {
-    /// Where a corner of the master upon a piece stands after it went over into the edges of the slave;
-    /// in coordinates of the piece.
+    /// Where a corner of the master upon a piece stands after it went over into the end of the slave; in
+    /// coordinates of the piece.
     pub(super) fn end_upon(&self, overlap: &Overlap, corner: Corner, at: [R; 2]) -> Moved<R> {
         if !self.is_end(overlap, corner) {
             return unmoved(at);
         }
-        let edges = pieces(self.slave.count)[overlap.piece].len();
-        (0..edges).fold(unmoved(at), |(at, by), edge| {
-            let (at, more) = match edges {
+        let piece = pieces(self.slave.count)[overlap.piece];
+        let is_at_end = |edge: usize| {
+            let ends = [piece[edge], piece[(edge + 1) % piece.len()]];
+            let own = edge_between(self.slave.count, ends[0], ends[1]);
+            own.is_some_and(|edge| self.ends.slave.edges[edge])
+        };
+        let edges = (0..piece.len()).filter(|&edge| is_at_end(edge));
+        edges.fold(unmoved(at), |(at, by), edge| {
+            let (at, more) = match piece.len() {
                 3 => on_triangle(edge, at),
                 _ => on_square(edge, at),
             };
@@ -38,28 +46,48 @@ impl<R: Real> Couple<'_, R> {
         })
     }
 
-    /// How far along an edge of a piece a corner stands after it went over into the edges that meet
-    /// this one at its ends, with the derivative.
-    pub(super) fn end_along(&self, overlap: &Overlap, corner: Corner, along: R) -> (R, R) {
+    /// How far along an edge of a piece a corner stands after it went over into the end of the slave that
+    /// the edge leaves, with the derivative.
+    pub(super) fn end_along(
+        &self,
+        overlap: &Overlap,
+        corner: Corner,
+        (edge, along): (usize, R),
+    ) -> (R, R) {
         let one = R::from_f64(1.0);
         if !self.is_end(overlap, corner) {
             return (along, one);
         }
-        let from_last = || blunt(one - along).map(|(distance, slope)| (one - distance, slope));
-        blunt(along).or_else(from_last).unwrap_or((along, one))
+        let piece = pieces(self.slave.count)[overlap.piece];
+        let nodes = [piece[edge], piece[(edge + 1) % piece.len()]];
+        let own = edge_between(self.slave.count, nodes[0], nodes[1]);
+        if own.is_some_and(|edge| self.ends.slave.edges[edge]) {
+            return (along, one);
+        }
+        let [first, second] = nodes.map(|node| self.ends.slave.nodes[node]);
+        let from = |distance: R, is_end: bool| blunt(distance).filter(|_| is_end);
+        if let Some(moved) = from(along, first) {
+            moved
+        } else if let Some((distance, slope)) = from(one - along, second) {
+            (one - distance, slope)
+        } else {
+            (along, one)
+        }
     }
 
-    /// Whether a corner is where the surface of the master ends.
+    /// Whether a corner is where the surface of the master ends, and that of the slave near.
     fn is_end(&self, overlap: &Overlap, corner: Corner) -> bool {
+        let Ends { slave, master } = &self.ends;
         let piece = pieces(self.master.count)[overlap.master_piece];
-        match corner {
-            Corner::Slave(_) => false,
-            Corner::Master(k) | Corner::Upon { master: k, .. } => self.ends.nodes[piece[k]],
-            Corner::Crossing { master: ends, .. } => {
-                let [a, b] = ends.map(|k| piece[k]);
-                edge_between(self.master.count, a, b).is_some_and(|edge| self.ends.edges[edge])
+        slave.nodes.contains(&true)
+            && match corner {
+                Corner::Slave(_) => false,
+                Corner::Master(k) | Corner::Upon { master: k, .. } => master.nodes[piece[k]],
+                Corner::Crossing { master: ends, .. } => {
+                    let [a, b] = ends.map(|k| piece[k]);
+                    edge_between(self.master.count, a, b).is_some_and(|edge| master.edges[edge])
+                }
             }
-        }
     }
 }
 
@@ -72,7 +100,7 @@ fn edge_between(count: usize, a: usize, b: usize) -> Option<usize> {
     (0..corners).find(|&edge| is_upon(edge, a) && is_upon(edge, b))
 }
 
-/// The distance from an edge after it went over, and its derivative.
+/// The distance from an end after it went over, and its derivative.
 fn blunt<R: Real>(distance: R) -> Option<(R, R)> {
     let number = |value: f64| R::from_f64(value);
     let (wide, over) = (number(WIDTH), number(WIDTH - TOGETHER));

@@ -56,7 +56,7 @@ pub(super) struct OnCell<R> {
     pub at: [R; 2],
     /// Along the edge that it stands upon: 0 to 1.
     pub along: R,
-    /// Derivative of where it stands by `along`, were it no end of the master, [1]; of corners upon the piece: of
+    /// Derivative of where it stands by `along`, were it no end, [1]; of corners upon the piece: of
     /// the coordinates of the piece.
     pub slope: R,
     pub by: [[R; 2]; 2],
@@ -217,7 +217,7 @@ impl<R: Real> Couple<'_, R> {
         let upon = |edge: usize, along: R| {
             let [from, to] = [of_node(edge), of_node(edge + 1)];
             let way = flat_sub(to, from).map(R::from_f64);
-            let (to, slope) = self.end_along(overlap, corner, along);
+            let (to, slope) = self.end_along(overlap, corner, (edge, along));
             OnCell { at: flat_add(from.map(R::from_f64), to, way), along, slope, by: identity() }
         };
         let (own, master) = self.pieces(overlap);

@@ -3,7 +3,7 @@
 use super::clip::Overlap;
 use super::couple::Couple;
 use super::cover::{Cover, Faced};
-use super::ends::FaceEnds;
+use super::ends::{Ends, FaceEnds};
 use super::face_places::FacePlaces;
 use super::places::{Place, add_scaled, cross, dot, sub};
 use super::pull::{Carried, Load};
@@ -11,8 +11,6 @@ use super::shapes::{MOST_CORNERS, MOST_NODES, corners, place_of};
 use super::station::reference_areas;
 use super::sums::Sums;
 use super::sweep::{SweepRoom, Swept};
-
-mod aligned;
 
 /// Numbers between -1 and 1 that look random.
 struct Random(u64);
@@ -31,7 +29,7 @@ struct Case {
     slave: FacePlaces<f64>,
     master: FacePlaces<f64>,
     measure: [f64; MOST_NODES],
-    ends: FaceEnds,
+    ends: Ends,
 }
 
 /// A face over the unit square or a half of it, moved by `at` and shaken; `down`: it looks down.
@@ -56,13 +54,17 @@ impl Case {
     fn new(nodes: [usize; 2], shake: f64, random: &mut Random) -> Self {
         let slave = face(nodes[0], [0.0; 3], shake, false, random);
         let master = face(nodes[1], [0.31, 0.17, 0.2], shake, true, random);
-        Self { slave, master, measure: reference_areas(&slave), ends: FaceEnds::default() }
+        Self { slave, master, measure: reference_areas(&slave), ends: Ends::default() }
     }
 
     fn overlaps(&self) -> Vec<Overlap> {
         let mut overlaps = Vec::new();
-        let masters =
-            [Faced { face: 0, nodes: [0; MOST_NODES], places: self.master, ends: self.ends }];
+        let masters = [Faced {
+            face: 0,
+            nodes: [0; MOST_NODES],
+            places: self.master,
+            ends: self.ends.master,
+        }];
         Cover::default().find(&self.slave, &masters, &mut overlaps);
         assert!(!overlaps.is_empty());
         overlaps
@@ -126,7 +128,8 @@ fn cases() -> Vec<Case> {
     all.extend(kinds.into_iter().flat_map(|a| kinds.map(|b| [a, b])).map(|nodes| {
         let slave = face(nodes[0], [0.0; 3], 0.001, false, &mut random);
         let master = face(nodes[1], [-0.05, -0.04, 0.2], 0.004, true, &mut random);
-        let ends = FaceEnds { edges: [true; MOST_CORNERS], nodes: [true; MOST_NODES] };
+        let all_ends = FaceEnds { edges: [true; MOST_CORNERS], nodes: [true; MOST_NODES] };
+        let ends = Ends { slave: all_ends, master: all_ends };
         Case { slave, master, measure: reference_areas(&slave), ends }
     }));
     all
@@ -135,7 +138,7 @@ fn cases() -> Vec<Case> {
 /// What differences are known to, in parts of the largest: beside ends, functions change within a
 /// hundredth of a face.
 fn bound(case: &Case, usual: f64) -> f64 {
-    if case.ends == FaceEnds::default() { usual } else { 20.0 * usual }
+    if case.ends == Ends::default() { usual } else { 20.0 * usual }
 }
 
 /// Requirement: gradients written by hand are those of the integrals, for all kinds of faces, bent and
@@ -314,7 +317,7 @@ fn faces_that_do_not_match_cover_one_another() {
                     Cover::default().find(slave, &masters, &mut overlaps);
                     for own in &overlaps {
                         let master = &masters[own.master].places;
-                        let ends = FaceEnds::default();
+                        let ends = Ends::default();
                         let couple = Couple { slave, measure: &measure, master, ends };
                         let (sums, weights) = couple.sums(own).unwrap();
                         area += sums.areas.iter().sum::<f64>();
