@@ -12,7 +12,9 @@
 pub const OFFSETS: [f64; 4] = [-2.0, -1.0, 1.0, 2.0];
 
 /// Where the neighbours stand that differ in what the tangent does not know, in steps.
-pub const PAIR: [f64; 2] = [-1.0, 1.0];
+pub const PAIR: [f64; SIDES] = [-1.0, 1.0];
+/// A number on either side of another.
+const SIDES: usize = 2;
 
 /// On which side of the base the neighbours are asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
