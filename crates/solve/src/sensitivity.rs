@@ -25,7 +25,7 @@ pub use numbers::{
     Bend, bend, combine_starts, combine_states, is_same_branch, move_start, move_state,
 };
 pub use parameter::{Parameter, SensitivityFault};
-pub use stencil::{OFFSETS, PAIR, Side, Weights};
+pub use stencil::{OFFSETS, PAIR, Side, Sides, Weights};
 pub use touched::Touched;
 pub use tries::{Tries, Try};
 pub use varied::{Varied, sensitivity_fault};

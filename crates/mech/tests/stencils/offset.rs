@@ -125,10 +125,9 @@ proptest! {
         let mut dofs = [0.0; 11];
         dofs[..3].copy_from_slice(&[x, y, turn]);
         dofs[3..].copy_from_slice(&u);
-        if let (Some(own), true) = (on_chain(&dofs), away(&dofs, on_chain)) {
-            if own.over.abs() < 0.5 {
-                compare(&dofs, on_chain);
-            }
+        let own = on_chain(&dofs).filter(|own| own.over.abs() < 0.5);
+        if own.is_some() && away(&dofs, on_chain) {
+            compare(&dofs, on_chain);
         }
     }
 
@@ -139,10 +138,9 @@ proptest! {
         u in prop::array::uniform3(-0.3..0.3_f64),
     ) {
         let dofs = [x, y, turn, u[0], u[1], u[2]];
-        if let (Some(own), true) = (on_profile(&dofs), away(&dofs, on_profile)) {
-            if own.over.abs() < 0.5 {
-                compare(&dofs, on_profile);
-            }
+        let own = on_profile(&dofs).filter(|own| own.over.abs() < 0.5);
+        if own.is_some() && away(&dofs, on_profile) {
+            compare(&dofs, on_profile);
         }
     }
 

@@ -53,18 +53,7 @@ impl Contact {
             let length = mean_length(model, pair);
             contact.laws.push(laws::laws(model, pair, length, users));
             contact.keeps.push(pair.interaction.no_separation);
-            let master = match &pair.master {
-                Master::RigidSurface(surface) => MasterSurface::body(model, dofs, surface, length),
-                Master::SlideLine(line) => {
-                    MasterSurface::chain(model, dofs, line, (contact.chain_nodes, length))
-                }
-                Master::Faces(faces) => {
-                    MasterSurface::faces(model, dofs, faces, contact.chain_nodes)
-                }
-                Master::Itself(surface) => {
-                    MasterSurface::itself(model, dofs, surface, contact.chain_nodes)
-                }
-            };
+            let master = contact.master(model, dofs, pair, length);
             contact.chain_nodes += master.nodes().len();
             contact.spacing.push(laws::spacing(model, length, &master));
             contact.masters.push(master);
@@ -79,6 +68,26 @@ impl Contact {
         contact.take_segments(model);
         contact.take_slave_faces(model);
         contact
+    }
+
+    /// The master of a pair, whose nodes follow those of the masters before.
+    fn master(
+        &self,
+        model: &Model,
+        dofs: &DofMap,
+        pair: &ContactPair,
+        length: f64,
+    ) -> MasterSurface {
+        match &pair.master {
+            Master::RigidSurface(surface) => MasterSurface::body(model, dofs, surface, length),
+            Master::SlideLine(line) => {
+                MasterSurface::chain(model, dofs, line, (self.chain_nodes, length))
+            }
+            Master::Faces(faces) => MasterSurface::faces(model, dofs, faces, self.chain_nodes),
+            Master::Itself(surface) => {
+                MasterSurface::itself(model, dofs, surface, self.chain_nodes)
+            }
+        }
     }
 
     /// Where the points of a surface that meets itself stand on it.

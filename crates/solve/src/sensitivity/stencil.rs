@@ -12,8 +12,9 @@
 pub const OFFSETS: [f64; 4] = [-2.0, -1.0, 1.0, 2.0];
 
 /// Where the neighbours stand that differ in what the tangent does not know, in steps.
-pub const PAIR: [f64; SIDES] = [-1.0, 1.0];
-/// A number on either side of another.
+pub const PAIR: Sides = [-1.0, 1.0];
+/// A number for each of the two neighbours of a pair.
+pub type Sides = [f64; SIDES];
 const SIDES: usize = 2;
 
 /// On which side of the base the neighbours are asked.

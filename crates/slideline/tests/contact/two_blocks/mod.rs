@@ -1,5 +1,7 @@
 //! Two unit blocks on one another, one element each, and what a run of them leaves.
 
+#![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
+
 use slideline::observe::{ContactRow, Ending};
 use slideline::{
     Event, Job, Observer, Quiet, ReadOptions, RunOptions, SolveOptions, Status, Stop, run,

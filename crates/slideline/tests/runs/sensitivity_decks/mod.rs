@@ -1,5 +1,7 @@
 //! Runs differentiated, and held against differences of whole runs.
 
+#![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
+
 use slideline::model::Dof;
 use slideline::observe::Frame;
 use slideline::{

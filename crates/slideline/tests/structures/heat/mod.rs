@@ -1,5 +1,7 @@
 //! Runs decks and keeps what their increments show.
 
+#![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
+
 use slideline::model::Dof;
 use slideline::observe::{Ending, Energies, Event, Observer, Stop};
 use slideline::{Job, ReadOptions, SolveOptions, solve};

@@ -19,7 +19,9 @@ use crate::evaluate::zero;
 use crate::moments::turn_moments;
 use crate::newton::Scratch;
 use crate::problem::Problem;
-use crate::sensitivity::{Bend, PAIR, Touched, combine_states, is_same_branch, leaves_hard_branch};
+use crate::sensitivity::{
+    Bend, PAIR, Sides, Touched, combine_states, is_same_branch, leaves_hard_branch,
+};
 use crate::state::PointState;
 use crate::structure::{Ambient, Configuration};
 use crate::tangent::{Kept, Place};
@@ -38,11 +40,11 @@ pub struct Pair<'a> {
 
 impl Pair<'_> {
     /// What each counts.
-    pub fn weights(&self) -> [f64; 2] {
+    pub fn weights(&self) -> Sides {
         PAIR.map(|side| 0.5 * side / self.h)
     }
 
-    fn steps(&self) -> [f64; 2] {
+    fn steps(&self) -> Sides {
         PAIR.map(|side| side * self.h)
     }
 }

@@ -6,7 +6,7 @@ use crate::evaluate::look_at;
 use crate::newton::Scratch;
 use crate::observe::{Frame, Near};
 use crate::problem::Problem;
-use crate::sensitivity::{PAIR, move_state};
+use crate::sensitivity::{PAIR, Sides, move_state};
 use crate::state::State;
 use std::cell::{OnceCell, RefCell};
 
@@ -76,7 +76,7 @@ pub struct AlongRates<'a> {
     pub scale: f64,
     /// Neighbours, with what each counts.
     pub problems: &'a [Problem<'a>; 2],
-    pub weights: [f64; 2],
+    pub weights: Sides,
     pub numbers: &'a Numbers,
     pub closed: &'a [bool],
     shelf: RefCell<&'a mut Shelf>,
@@ -87,7 +87,7 @@ impl<'a> AlongRates<'a> {
     pub fn of(
         (plan, state, work): (&'a Problem<'a>, &'a State, &'a Scratch),
         (rates, scale): (&'a [f64], f64),
-        (problems, weights): (&'a [Problem<'a>; 2], [f64; 2]),
+        (problems, weights): (&'a [Problem<'a>; 2], Sides),
         (numbers, closed): (&'a Numbers, &'a [bool]),
         shelf: &'a mut Shelf,
     ) -> Self {
