@@ -7,7 +7,7 @@
 //!
 //! R of a symmetric tensor without trace is a polynomial of second degree in Y over a cubic in t,
 //! so that the sums over the points are of numbers. The derivative is that of the sum itself.
-//! docs/theory.md eqs. (3.41a) to (3.41d).
+//! docs/theory.md, below (3.41).
 
 use super::answer::Answer;
 use super::elastic::Elastic;
@@ -75,7 +75,7 @@ impl Elastic {
         axes.answer(&stresses, &slopes, energy)
     }
 
-    /// By the rule, docs/theory.md eqs. (3.41b) and (3.41d).
+    /// By the rule, docs/theory.md, below (3.41).
     #[inline(always)]
     fn near_one(&self, near: &Near) -> Answer {
         let (lame, shear) = (self.lame(), self.shear_modulus());
@@ -137,7 +137,7 @@ impl Near {
         is_near.then_some(Self { mean, y, z, half, determinant })
     }
 
-    /// The sums over the points, docs/theory.md eqs. (3.41a) and (3.41c).
+    /// The sums over the points, docs/theory.md, below (3.41).
     #[inline(always)]
     fn logarithm(&self) -> Logarithm {
         let Self { mean, half: a, determinant, .. } = *self;

@@ -17,9 +17,11 @@ use std::collections::{HashMap, HashSet};
 impl Contact {
     /// Prepares the pairs of a model.
     pub fn new(model: &Model, dofs: &DofMap, users: &UserFrictions) -> Self {
+        let slave_nodes: Vec<_> =
+            model.contact_pairs.iter().map(ContactPair::slave_nodes).collect();
         let mut contact = Self {
-            points: Vec::new(),
-            slave_nodes: model.contact_pairs.iter().map(ContactPair::slave_nodes).collect(),
+            points: Vec::with_capacity(slave_nodes.iter().map(Vec::len).sum()),
+            slave_nodes,
             laws: Vec::new(),
             keeps: Vec::new(),
             allowances: Vec::new(),
