@@ -12,7 +12,7 @@ use std::cell::{OnceCell, RefCell};
 
 /// Step along the rates of a state, in scales of the parameter, between frames that show it: its square is
 /// truncation, rounding of strains grows with its inverse.
-const STEP: f64 = 5e-5;
+const STEP: f64 = 1e-4;
 
 /// A state that is shown, and its evaluation.
 pub struct Shown<'a> {
