@@ -81,7 +81,9 @@ pub(crate) fn bodies(read: &Read) -> Vec<Body> {
         }
         let card = read.deck.cards.iter().find(|card| card.span == origin);
         let Some(card) = card.filter(|card| card.keyword.name == "RIGIDBODY") else { continue };
-        if is_part_of_more(model, &nodes) {
+        // one whose reference node is a node of a part hangs on that part
+        let held: BTreeSet<NodeIndex> = nodes.iter().copied().chain([master]).collect();
+        if is_part_of_more(model, &held) {
             continue;
         }
         let all = (0..axes).map(|axis| body(model, &lines, (owner(card), axis), &nodes));
