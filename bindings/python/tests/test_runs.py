@@ -157,6 +157,8 @@ def test_progress_is_told_and_may_end_the_run(capsys):
 
 def test_control_c_ends_the_increment(tmp_path):
     """Requirement: what converged is kept, in the result and in the files."""
+    # where the tests run behind a shell that goes on, Python finds the signal ignored
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
     def interrupt(step, increment, time_, iterations):
         if increment == 2:
