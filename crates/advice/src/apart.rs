@@ -99,6 +99,7 @@ fn gap(start: &Start<'_>, pair: &ContactPair) -> Option<f64> {
     };
     let mut slaves: Vec<Bounds> = pair.faces.iter().map(|face| box_of(&face.nodes)).collect();
     slaves.extend(pair.elements.iter().map(|element| box_of(&element.nodes)));
+    slaves.extend(pair.profile.iter().flat_map(profile));
     let mut masters: Vec<Bounds> = match &pair.master {
         Master::Faces(faces) if faces.swept.is_some() => return None,
         Master::Faces(faces) => faces.faces.iter().map(|face| box_of(&face.nodes)).collect(),

@@ -1,6 +1,6 @@
 //! Which nodes move together: bodies joined by elements, rigid links and equations.
 
-use slideline_model::{Master, Model, NodeIndex, Presence};
+use slideline_model::{Model, NodeIndex, Presence};
 
 /// Nodes in bodies: two nodes of one body cannot move apart rigidly.
 pub struct Bodies {
@@ -46,7 +46,7 @@ impl Bodies {
         }
         let pairs = model.contact_pairs.iter().enumerate();
         for (_, pair) in pairs.filter(|&(place, _)| presence.has_pair(place)) {
-            if let Master::RigidSurface(surface) = &pair.master {
+            for surface in pair.rigid_surfaces() {
                 bodies.active[surface.reference] = true;
             }
         }

@@ -54,6 +54,8 @@ struct Pair {
     hands_over: bool,
     /// Whether its slaves stand on the side along which contact wanders.
     wanders: bool,
+    /// Whether it was ever closed.
+    touched: bool,
     changes: usize,
     penetration: f64,
     deepest: u64,
@@ -121,7 +123,25 @@ impl Noise {
             said.extend(pair.pressed(noise));
             said.extend(pair.unbalanced());
         }
+        said.extend(self.untouched());
         said
+    }
+
+    /// SL0614: not one pair of the model was ever closed.
+    fn untouched(&self) -> Option<Diagnostic> {
+        let first = self.pairs.first()?;
+        if self.increments == 0 || self.pairs.iter().any(|pair| pair.touched) {
+            return None;
+        }
+        let message = match self.pairs.len() {
+            1 => format!("nothing touched: {} was never closed in this run", first.name),
+            many => format!(
+                "nothing touched: none of the {many} contact pairs was ever closed in this run"
+            ),
+        };
+        let help = "look where the parts are (`slideline check`), at the way and the direction of the motion, and \
+                    at the side that each surface shows to the other";
+        Some(Diagnostic::advice(Code("SL0614"), message).at(first.origin).help(help))
     }
 
     /// Takes note of an event that others watch as well.
@@ -222,6 +242,7 @@ impl Pair {
             hands_over: pair.formulation == Formulation::NodeToSurface,
             wanders: pair.formulation == Formulation::NodeToSurface
                 && matches!(pair.master, Master::RigidSurface(_)),
+            touched: false,
             changes: 0,
             penetration: 0.0,
             deepest: 0,
@@ -243,6 +264,7 @@ impl Pair {
         carrier: Option<NodeIndex>,
         increment: usize,
     ) {
+        self.touched |= row.closed > 0;
         self.changes += row.changes;
         self.carriers.resize(increment.saturating_sub(1), None);
         self.carriers.push(carrier);
@@ -349,6 +371,7 @@ mod tests {
             vocabulary: Vocabulary::default(),
             hands_over: true,
             wanders: true,
+            touched: false,
             changes: 0,
             penetration: 0.0,
             deepest: 0,
@@ -405,6 +428,24 @@ mod tests {
         assert!(noisy.noisy(&noise).is_some_and(|said| said.message.contains("9999")));
         let wave = curve((0..40).map(|k| (0.3 * f64::from(k)).sin()).collect());
         assert_eq!(wave.noisy(&wave.noise(&[passed])), None);
+    }
+
+    /// Requirement: a run in which no pair was ever closed is told so, one in which one was is not, nor is one
+    /// without pairs or without increments.
+    #[test]
+    fn what_never_touches_is_said() {
+        let model = Model::default();
+        let said = |noise: &Noise| {
+            noise.findings(&noise.summary()).iter().any(|own| own.code.0 == "SL0614")
+        };
+        let mut noise = Noise { pairs: vec![pair(), pair()], ..Noise::default() };
+        assert!(!said(&noise), "before the run");
+        noise.increments = 3;
+        assert!(said(&noise));
+        noise.pairs[1].follow(&model, &PairRow { closed: 1, ..PairRow::default() }, None, 1);
+        noise.pairs[1].follow(&model, &PairRow::default(), None, 2);
+        assert!(!said(&noise));
+        assert!(!said(&Noise { increments: 3, ..Noise::default() }));
     }
 
     #[test]

@@ -174,7 +174,15 @@ fn pairs(start: &Start<'_>, findings: &mut Vec<Finding>) {
             (Master::Itself(_), Master::Itself(_)) => true,
             _ => false,
         };
-        let same = all[..place].iter().find(|a| same_shape(a) && sorted(a) == sorted(b));
+        let same_slaves = |a: &ContactPair| {
+            sorted(a) == sorted(b)
+                && match (&a.profile, &b.profile) {
+                    (Some(one), Some(other)) => one.segments == other.segments,
+                    (None, None) => true,
+                    _ => false,
+                }
+        };
+        let same = all[..place].iter().find(|a| same_shape(a) && same_slaves(a));
         if let Some(a) = same {
             let message = format!(
                 "contact pairs {} and {} have the same slaves and masters of the same shape at the \

@@ -44,7 +44,7 @@ impl<'a> Start<'a> {
     pub fn size(&self) -> f64 {
         let mut points: Vec<[f64; 3]> = self.model.nodes.iter().map(|node| node.position).collect();
         for pair in &self.model.contact_pairs {
-            if let Master::RigidSurface(surface) = &pair.master {
+            for surface in pair.rigid_surfaces() {
                 points.push(raised(surface.start));
                 points.extend(surface.segments.iter().map(|segment| raised(segment.end())));
             }

@@ -229,6 +229,10 @@ fn why(read: &Read, pair: &ContactPair) -> &'static str {
             "a surface that *CONTACT PAIR names alone meets itself: of two of its nodes that meet, the \
              sharper one is the slave, or the first along the surface"
         }
+        (Master::RigidSurface(_), true, _) if pair.profile.is_some() => {
+            "contact is integrated along the profile named first on *CONTACT PAIR, the slave; the one \
+             named second is the master"
+        }
         (Master::RigidSurface(_), true, Formulation::SurfaceToSurface) => {
             "contact is integrated along the first surface of *CONTACT PAIR, the slave; the \
              rigid surface, named second, is the master"

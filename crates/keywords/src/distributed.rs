@@ -13,6 +13,8 @@ pub(crate) struct Distributed {
     pub kind: Kind,
     pub value: f64,
     pub amplitude: Option<(String, Span)>,
+    /// Name of the axes in which its direction is given; `None`: those of the model.
+    pub axes: Option<(String, Span)>,
     pub origin: Span,
 }
 

@@ -27,7 +27,7 @@ use crate::surfaces::{
     RigidBody, SurfaceThickness,
 };
 pub(crate) use cards::{
-    Boundary, Gap, Interface, NodalThickness, Shape, Spring, StepDraft, Surface,
+    Boundary, Gap, Interface, NodalThickness, PointMass, Shape, Spring, StepDraft, Surface,
 };
 pub(crate) use elements::{Element, ElementKind, MOST_NODES};
 pub(crate) use heat::{Heat, StressLine};
@@ -67,8 +67,11 @@ pub(crate) struct Draft {
     pub allowables: Vec<Allowable>,
     /// Section of each element by its label, when it is first asked for.
     pub section_of: HashMap<u64, usize>,
+    /// Mass of each MASS element by its label, when sets are resolved.
+    pub mass_of: HashMap<u64, f64>,
     pub springs: Vec<Spring>,
     pub gaps: Vec<Gap>,
+    pub masses: Vec<PointMass>,
     pub surfaces: Vec<Surface>,
     pub interfaces: Vec<Interface>,
     pub named_surfaces: Vec<NamedSurface>,
@@ -142,6 +145,7 @@ pub(crate) struct Contents {
     pub sections: Vec<Section>,
     pub springs: Vec<Spring>,
     pub gaps: Vec<Gap>,
+    pub masses: Vec<PointMass>,
     pub surfaces: Vec<Surface>,
     pub interfaces: Vec<Interface>,
     pub named_surfaces: Vec<NamedSurface>,

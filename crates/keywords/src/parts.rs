@@ -35,6 +35,7 @@ impl Draft {
             sections: take(&mut self.sections),
             springs: take(&mut self.springs),
             gaps: take(&mut self.gaps),
+            masses: take(&mut self.masses),
             surfaces: take(&mut self.surfaces),
             interfaces: take(&mut self.interfaces),
             named_surfaces: take(&mut self.named_surfaces),
@@ -63,6 +64,7 @@ impl Draft {
         self.sections = contents.sections;
         self.springs = contents.springs;
         self.gaps = contents.gaps;
+        self.masses = contents.masses;
         self.surfaces = contents.surfaces;
         self.interfaces = contents.interfaces;
         self.named_surfaces = contents.named_surfaces;

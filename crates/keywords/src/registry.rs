@@ -12,13 +12,13 @@ use crate::cards::{
     deformation_plasticity, density, distributing, distributing_coupling, dload, dsload, el_file,
     el_print, elastic, elcopy, element, element_output, elgen, elset, end_assembly, end_instance,
     end_part, end_step, equation, expansion, friction, gap, heading, hyperelastic, hyperfoam,
-    initial_conditions, instance, interface, kinematic, kinematic_coupling, material, model_change,
-    mpc, ncopy, nfill, ngen, nmap, nodal_thickness, node, node_file, node_output, node_print, nset,
-    orientation, output, parameter, part, physical_constants, planar_test_data, plastic,
-    pre_tension_section, print, restart, rigid_body, rigid_surface, section_print, shear_center,
-    slide_line, solid_section, spring, static_, step, surface, surface_behavior, surface_contact,
-    surface_interaction, surface_property_assignment, system, temperature, tie, transform,
-    transverse_shear, uniaxial_test_data, visco, viscoelastic, volumetric_test_data,
+    initial_conditions, instance, interface, kinematic, kinematic_coupling, mass, material,
+    model_change, mpc, ncopy, nfill, ngen, nmap, nodal_thickness, node, node_file, node_output,
+    node_print, nset, orientation, output, parameter, part, physical_constants, planar_test_data,
+    plastic, pre_tension_section, print, restart, rigid_body, rigid_surface, section_print,
+    shear_center, slide_line, solid_section, spring, static_, step, surface, surface_behavior,
+    surface_contact, surface_interaction, surface_property_assignment, system, temperature, tie,
+    transform, transverse_shear, uniaxial_test_data, visco, viscoelastic, volumetric_test_data,
 };
 use crate::keyword::Keyword;
 use crate::reading::{Match, resolve};
@@ -57,6 +57,7 @@ pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
     &nodal_thickness::NodalThickness,
     &spring::Spring,
     &gap::Gap,
+    &mass::Mass,
     &material::Material,
     &elastic::Elastic,
     &density::Density,

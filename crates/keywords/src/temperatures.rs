@@ -12,7 +12,6 @@ pub(crate) fn lines(card: &Reading<'_>, draft: &mut Draft) -> Vec<Heat> {
 }
 
 fn heat(line: &DataLine, draft: &mut Draft) -> Option<Heat> {
-    draft.log.at_most(line, 3);
     let target = draft.log.target(line, 0, "the node or set")?;
     let value = draft.log.number(line, 1, "the temperature")?;
     let slope = draft.log.number_or(line, 2, 0.0)?;
@@ -21,6 +20,7 @@ fn heat(line: &DataLine, draft: &mut Draft) -> Option<Heat> {
         target_span: line.fields[0].span,
         temperature: Temperature { value, slope },
         slope: line.field(2).filter(|_| slope != 0.0).map(|field| field.span),
+        further: line.fields.iter().skip(3).find(|field| !field.text.is_empty()).map(|f| f.span),
         amplitude: None,
         origin: line.span,
     })

@@ -75,7 +75,7 @@ const UNBALANCED: f64 = 1e-9;
 const ENERGY: [f64; 2] = [0.05, 0.5];
 /// Roughness of a noisy reaction (SL0610).
 const NOISE: f64 = 0.01;
-/// Step next to a peak above which the true peak is not known (SL0614).
+/// Step next to a peak above which the true peak is not known.
 pub const COARSE_PEAK: f64 = 0.1;
 /// Fibre strain above which a linear law is doubtful for most materials.
 const STRAIN: f64 = 0.05;

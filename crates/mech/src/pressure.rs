@@ -92,9 +92,15 @@ impl Face {
         }
     }
 
-    /// Forces of a uniform traction [F/L2] on a face that stays at `x` [L].
-    pub fn pull(&self, traction: [f64; 3], x: &[[f64; 3]], force: &mut [[f64; 3]]) {
+    /// Forces of a traction [F/L2], given at each place, on a face that stays at `x` [L].
+    pub fn pull(
+        &self,
+        traction: impl Fn([f64; 3]) -> [f64; 3],
+        x: &[[f64; 3]],
+        force: &mut [[f64; 3]],
+    ) {
         for at in self.points() {
+            let traction = traction(place(&at, x));
             let normal = self.normal(&at, x);
             let area = normal.iter().map(|n| n * n).sum::<f64>().sqrt();
             for (own, shape) in force.iter_mut().zip(at.shapes) {
@@ -104,11 +110,17 @@ impl Face {
         }
     }
 
-    /// Forces of a traction of size one along the face, where a unit vector points when it is laid
-    /// onto it; false where it stands across at a point. Adds to `force` [L2], docs/theory.md
-    /// eq. (4.8).
-    pub fn rub(&self, along: [f64; 3], x: &[[f64; 3]], force: &mut [[f64; 3]]) -> bool {
+    /// Forces of a traction of size one along the face, where a unit vector, given at each place, points
+    /// when it is laid onto it; false where it stands across at a point. Adds to `force` [L2],
+    /// docs/theory.md eq. (4.8).
+    pub fn rub(
+        &self,
+        along: impl Fn([f64; 3]) -> [f64; 3],
+        x: &[[f64; 3]],
+        force: &mut [[f64; 3]],
+    ) -> bool {
         self.points().all(|at| {
+            let along = along(place(&at, x));
             let normal = self.normal(&at, x);
             let area = dot(normal, normal).sqrt();
             let part = dot(normal, along) / (area * area);
@@ -172,6 +184,10 @@ impl Face {
 /// Distance of a point of a ring from the second axis [L].
 fn radius(at: &At, x: &[[f64; 3]]) -> f64 {
     at.shapes.iter().zip(x).map(|(shape, x)| shape * x[0]).sum()
+}
+
+fn place(at: &At, x: &[[f64; 3]]) -> [f64; 3] {
+    std::array::from_fn(|k| at.shapes.iter().zip(x).map(|(shape, x)| shape * x[k]).sum())
 }
 
 /// The place of a face that is nearest to a point.

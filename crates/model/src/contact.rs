@@ -34,6 +34,9 @@ pub struct ContactPair {
     /// Slave nodes at which the surface turns sharply: the faces that meet there are apart, with a
     /// contact point each ([`Formulation::Mortar`]).
     pub corners: Vec<NodeIndex>,
+    /// The slave surface where it is the profile of a rigid body, whose reference node is the one of
+    /// `slaves`.
+    pub profile: Option<RigidSurface>,
     /// The surface that is slid upon.
     pub master: Master,
     /// Laws and width.
@@ -99,6 +102,15 @@ impl ContactPair {
             .chain(self.slaves.iter().copied())
     }
 
+    /// Its analytical surfaces of the plane: the slave's profile, the master.
+    pub fn rigid_surfaces(&self) -> impl Iterator<Item = &RigidSurface> {
+        let master = match &self.master {
+            Master::RigidSurface(surface) => Some(surface),
+            Master::SlideLine(_) | Master::Faces(_) | Master::Itself(_) => None,
+        };
+        self.profile.iter().chain(master)
+    }
+
     /// Its faces as those of a mesh, over the nodes of the model.
     pub fn mesh_faces(&self) -> Vec<MeshFace> {
         let of_mesh =
@@ -115,8 +127,8 @@ pub enum Formulation {
     #[default]
     NodeToSurface,
     /// Along the slave elements: beams whose surface is smooth, built from
-    /// positions and rotations of their nodes, against an analytic rigid
-    /// surface (`TYPE=SURFACE TO SURFACE`).
+    /// positions and rotations of their nodes; or along the profile of a rigid
+    /// body; against an analytic rigid surface (`TYPE=SURFACE TO SURFACE`).
     SurfaceToSurface,
     /// Over the faces of solids, weighted with functions of the slave nodes, in space of their
     /// corners (`TYPE=SURFACE TO SURFACE`).

@@ -64,9 +64,7 @@ impl Halving {
             model.rigid_links.iter().map(|link| (link.dependent, link.master)).collect();
         let mut bodies: HashSet<_> = masters.values().copied().collect();
         for pair in &model.contact_pairs {
-            if let Master::RigidSurface(surface) = &pair.master {
-                bodies.insert(surface.reference);
-            }
+            bodies.extend(pair.rigid_surfaces().map(|surface| surface.reference));
         }
         Self {
             middles: HashMap::new(),

@@ -8,8 +8,8 @@
 //! ```
 
 use slideline_model::{
-    Dof, ElementIndex, Kinematics, Master, Model, NodeIndex, Presence, ProfilePoint, RigidSurface,
-    SurfaceSegment,
+    ContactPair, Dof, ElementIndex, Kinematics, Model, NodeIndex, Presence, ProfilePoint,
+    RigidSurface, SurfaceSegment,
 };
 use slideline_results::NodeField;
 use slideline_results::element::regions;
@@ -278,11 +278,8 @@ fn copies(
 
 /// The outlines of a model, in the order of its contact pairs.
 fn outlines(model: &Model) -> Vec<Outline> {
-    let masters = model.contact_pairs.iter().filter_map(|pair| match &pair.master {
-        Master::RigidSurface(surface) => Some(surface),
-        Master::SlideLine(_) | Master::Faces(_) | Master::Itself(_) => None,
-    });
-    masters.map(outline).collect()
+    let surfaces = model.contact_pairs.iter().flat_map(ContactPair::rigid_surfaces);
+    surfaces.map(outline).collect()
 }
 
 /// Undeformed points of a rigid surface, its arcs in chords [L].

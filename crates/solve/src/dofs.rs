@@ -330,6 +330,8 @@ fn of_bodies(model: &Model, mut call: impl FnMut(bool, (NodeIndex, Dof))) {
     for pair in &model.contact_pairs {
         // A contact node needs no element: its translations matter all the same.
         pair.slave_places().flat_map(|node| point(model, node)).for_each(&mut note);
+        let profile = pair.profile.iter();
+        profile.flat_map(|own| rigid_body(model, own.reference)).for_each(&mut note);
         match &pair.master {
             Master::RigidSurface(surface) => {
                 rigid_body(model, surface.reference).for_each(&mut note)

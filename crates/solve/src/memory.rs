@@ -188,6 +188,7 @@ mod tests {
             origin: at,
         };
         let pair = ContactPair {
+            profile: None,
             of_solids: false,
             adjust: slideline_model::Adjust::Nothing,
             axes: [None; 2],

@@ -11,7 +11,7 @@
 //! structure has reached a limit of its strength, or numbers one of theirs.
 
 use slideline_linalg::reduce_rows;
-use slideline_model::{Dof, Master, Model, NodeIndex, Presence, SpringWay, Step};
+use slideline_model::{Dof, Model, NodeIndex, Presence, SpringWay, Step};
 use std::collections::HashMap;
 
 /// The bodies of a model and how a step restrains them.
@@ -163,9 +163,7 @@ impl Bodies {
         for (_, pair) in pairs.filter(|&(place, _)| presence.has_pair(place)) {
             new.used.extend(pair.slave_nodes());
             new.used.extend(pair.master.deforming_nodes());
-            if let Master::RigidSurface(surface) = &pair.master {
-                turning.push(surface.reference);
-            }
+            turning.extend(pair.rigid_surfaces().map(|surface| surface.reference));
         }
         for &node in &turning {
             let root = new.root(node);

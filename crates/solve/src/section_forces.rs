@@ -53,7 +53,7 @@ impl SectionRow {
         let count = own.nodes.len().min(MOST_NODES);
         x.iter_mut().zip(&own.nodes).for_each(|(x, &node)| *x = place(node));
         let (mut areas, mut against) = ([[0.0; 3]; MOST_NODES], [[0.0; 3]; MOST_NODES]);
-        own.face.pull([1.0, 0.0, 0.0], &x[..count], &mut areas[..count]);
+        own.face.pull(|_| [1.0, 0.0, 0.0], &x[..count], &mut areas[..count]);
         own.face.press(1.0, &x[..count], &mut against[..count]);
         // the shares of the nodes in the area carry its first moment: places are interpolated alike
         for node in 0..count {

@@ -14,7 +14,7 @@ use crate::loads::FaceLoads;
 use crate::plan::{Numbering, Part, PlanMismatch};
 use crate::structure::Kernels;
 use crate::users::UserFrictions;
-use slideline_model::{Master, Model, SurfaceSegment};
+use slideline_model::{ContactPair, Model, SurfaceSegment};
 
 /// What the numbers of a model make of a plan.
 #[derive(Debug, Default)]
@@ -87,10 +87,7 @@ impl Values {
 
 /// Coordinates of the points of all rigid surfaces.
 fn surface_points(model: &Model) -> impl Iterator<Item = f64> {
-    let surfaces = model.contact_pairs.iter().filter_map(|pair| match &pair.master {
-        Master::RigidSurface(surface) => Some(surface),
-        Master::SlideLine(_) | Master::Faces(_) | Master::Itself(_) => None,
-    });
+    let surfaces = model.contact_pairs.iter().flat_map(ContactPair::rigid_surfaces);
     surfaces.flat_map(|surface| {
         let ends = surface.segments.iter().flat_map(|segment| match *segment {
             SurfaceSegment::Line { end } => [end, end],

@@ -47,10 +47,12 @@ pub(super) fn take(
 ) {
     let new = card.choice("OP", &["MOD", "NEW"], &mut draft.log) == Some("NEW");
     let amplitude = crate::curves::of_card(card, draft);
+    let axes = card.name("ORIENTATION").map(|name| (name, card.span_of("ORIENTATION")));
     let mut lines = Vec::new();
     for line in card.data() {
         if let Some(mut load) = line_of(line, draft) {
             load.amplitude.clone_from(&amplitude);
+            load.axes.clone_from(&axes);
             lines.push(load);
         }
     }
@@ -112,7 +114,7 @@ fn line_of(line: &DataLine, draft: &mut Draft) -> Option<Distributed> {
         Some(target) => On::Elements(target, span),
         None => On::Elements(crate::log::Target::Set(String::new()), span),
     };
-    Some(Distributed { on, kind, value, amplitude: None, origin: line.span })
+    Some(Distributed { on, kind, value, amplitude: None, axes: None, origin: line.span })
 }
 
 pub(super) fn unknown(line: &DataLine, known: &str, draft: &mut Draft) {

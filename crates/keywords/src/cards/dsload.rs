@@ -22,6 +22,7 @@ impl Keyword for Dsload {
             Rule::value("OP"),
             Rule::value("AMPLITUDE"),
             Rule::value("TIME DELAY"),
+            Rule::value("ORIENTATION"),
             Rule::value("FOLLOWER"),
             Rule::value("CONSTANT RESULTANT"),
         ];
@@ -75,5 +76,5 @@ fn line_of(line: &DataLine, draft: &mut Draft) -> Option<Distributed> {
     };
     let value = draft.log.number(line, 2, "the size of the load")?;
     let on = On::Surface(Named { name: normalise(&field.text), span: field.span });
-    Some(Distributed { on, kind, value, amplitude: None, origin: line.span })
+    Some(Distributed { on, kind, value, amplitude: None, axes: None, origin: line.span })
 }

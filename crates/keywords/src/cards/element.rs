@@ -46,7 +46,8 @@ impl Keyword for Element {
         }
         draft.note_spatial(kind);
         if kind.is_dynamic() && draft.log.first_time(&format!("inert {}", kind.name())) {
-            let message = format!("{} elements have no effect in a static step", kind.name());
+            let but = if kind.is_mass() { " but their weight" } else { "" };
+            let message = format!("{} elements have no effect in a static step{but}", kind.name());
             draft.log.note("SL0257", message, card.span_of("TYPE"));
         }
         let mut lines = card.data().iter();

@@ -68,6 +68,7 @@ pub(crate) mod instance;
 pub(crate) mod interface;
 pub(crate) mod kinematic;
 pub(crate) mod kinematic_coupling;
+pub(crate) mod mass;
 pub(crate) mod material;
 pub(crate) mod model_change;
 pub(crate) mod mpc;

@@ -39,6 +39,16 @@ pub(crate) struct Gap {
     pub origin: Span,
 }
 
+/// `*MASS`.
+#[derive(Clone, Debug)]
+pub(crate) struct PointMass {
+    pub set: String,
+    pub set_span: Span,
+    /// Of each of its points [M].
+    pub mass: f64,
+    pub origin: Span,
+}
+
 /// `*RIGID SURFACE` or `*SLIDE LINE`, named by its element set.
 #[derive(Clone, Debug)]
 pub(crate) struct Surface {

@@ -13,6 +13,8 @@ pub(crate) struct Heat {
     pub temperature: Temperature,
     /// Where a slope through a beam was given.
     pub slope: Option<Span>,
+    /// Where more values were given.
+    pub further: Option<Span>,
     pub amplitude: Option<(String, Span)>,
     pub origin: Span,
 }

@@ -1,12 +1,16 @@
-//! Contact that is integrated along beams.
+//! Contact that is integrated along beams, or along the profile of a rigid body.
 //!
 //! ```text
 //!     o====o====o====o    beams, in the order in which they stand
 //!        .-----.          an analytical surface, named first or second
+//!
+//!        \     /
+//!         '---'           a profile, named first
+//!      .--------.         another one, the master
 //! ```
 
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{ContactElement, Master};
+use slideline_model::{ContactElement, Master, RigidSurface};
 
 use super::chain::{Chain, Facet};
 use super::sides::{Parts, Sides, Slaves, refuse};
@@ -31,14 +35,8 @@ pub(super) fn along(
             draft.log.push(note.help("the order of the two surfaces does not change the result"));
             (beams, surface)
         }
-        (Found::Rigid(_), Found::Rigid(_)) => {
-            let help = "at least one of them must be made of beams";
-            return refuse(
-                pairing.origin,
-                "two analytical surfaces cannot be in contact",
-                help,
-                draft,
-            );
+        (Found::Rigid(slave), Found::Rigid(master)) => {
+            return along_profile(pairing, (slave, master), draft);
         }
         (Found::Facets(_), Found::Facets(_)) => {
             let message = "SURFACE TO SURFACE between two surfaces of beams is not supported";
@@ -68,6 +66,30 @@ pub(super) fn along(
     }
     let elements = in_order(contact_elements(&beams));
     Some((Slaves { elements, ..Slaves::default() }, Master::RigidSurface(surface)))
+}
+
+/// Contact integrated along the profile of a rigid body that meets another one.
+fn along_profile(
+    pairing: &Pairing,
+    (slave, master): (RigidSurface, RigidSurface),
+    draft: &mut Draft,
+) -> Parts {
+    if draft.model.is_of_rings() {
+        let message = "contact of two analytical surfaces is that of the plane, not of rings";
+        let help = "give one of them as the faces of elements: CAX4 with *RIGID BODY, ELSET=";
+        return refuse(pairing.origin, message, help, draft);
+    }
+    if let Some((_, span)) = &pairing.adjust {
+        let message = format!(
+            "ADJUST moves slave nodes, and {} has none: it is the profile of a rigid body",
+            pairing.slave.name
+        );
+        let help = "move its points and its reference node in the deck";
+        return refuse(*span, message, help, draft);
+    }
+    let nodes = vec![slave.reference];
+    let slaves = Slaves { nodes, profile: Some(slave), ..Slaves::default() };
+    Some((slaves, Master::RigidSurface(master)))
 }
 
 /// The first truss among the elements of a surface.

@@ -27,6 +27,14 @@ pub(super) fn clearances(draft: &mut Draft) {
             draft.consequence(Subject::Contact, error.help(help));
             continue;
         }
+        if pair.profile.is_some() {
+            let message = format!("{} has no nodes that could be moved to a clearance", slave.name);
+            let error = Diagnostic::error(Code("SL0392"), message).at(origin);
+            let error = error.label(pair.origin, "it is the profile of a rigid body");
+            let help = "move its points and its reference node in the deck";
+            draft.consequence(Subject::Contact, error.help(help));
+            continue;
+        }
         pair.adjust = Adjust::Clearance(value);
     }
 }

@@ -128,6 +128,7 @@ fn pair(surface: &Surface, strayed: bool, in_pair: &mut HashMap<usize, Span>, dr
             adjust: slideline_model::Adjust::Nothing,
             axes: [None; 2],
             corners: Vec::new(),
+            profile: None,
             offset: Offset::NONE,
             slaves: Vec::new(),
             faces: Vec::new(),

@@ -2,27 +2,21 @@
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::element::quadrature::Quadrature;
+use slideline_mech::orientation::{Basis, Orientation};
 use slideline_mech::pressure::Face;
 use slideline_mech::volume;
-use slideline_model::{Dialect, Dof, ElementType, Kinematics, NodeIndex, Pressed};
+use slideline_model::{Dialect, ElementType, Kinematics, Pressed};
 
 use super::faces::{self, SolidFace, face_nodes};
-use super::line_loads;
+use super::load_forces::{
+    NOUGHT, Resolved, What, per_volume, places, refuse, shares, weight_leaves,
+};
 use super::unit_systems;
+use super::{line_loads, orientations, point_masses};
 use crate::distributed::{Along, Distributed, Key, Kind, On};
-use crate::draft::{Body, Draft, Element, ElementKind, Section};
+use crate::draft::{Body, Draft, ElementKind, Section};
 use crate::log::Target;
 use crate::rule::Subject;
-
-/// Of what a load consists.
-pub(super) enum What {
-    Pressure(Pressed, Vec<NodeIndex>),
-    /// Forces of a unit load.
-    Forces(Vec<(NodeIndex, Dof, f64)>),
-}
-
-/// What a line loads, by element and kind.
-pub(super) type Resolved = Vec<((usize, Key), What)>;
 
 /// What a line loads.
 pub(super) fn resolve(line: &Distributed, draft: &mut Draft) -> Resolved {
@@ -127,21 +121,27 @@ fn on_face(own: &SolidFace, line: &Distributed, draft: &mut Draft) -> Option<((u
         return None;
     };
     if let Some(why) = leaves(line.kind, row, draft.dialect) {
-        refuse(why, row, line, draft);
+        refuse(why, row.name(), row.is_ring(), line, draft);
         return None;
     }
     let number = own.face.map_or(0, |face| face + 1);
+    let axes = axes_of(line, draft)?;
+    let tilted = |own: Orientation| own.at(&[], [0.0; 3])[2][2].abs() < 1.0 - NOUGHT;
+    if !row.is_spatial() && axes.is_some_and(tilted) {
+        refuse("takes no load out of its plane", row.name(), row.is_ring(), line, draft);
+        return None;
+    }
     let what = match line.kind {
         Kind::Traction(direction) => {
             let x = places(&own.nodes, draft);
             let mut forces = vec![[0.0; 3]; x.len()];
-            face.pull(direction, &x, &mut forces);
+            face.pull(|at| in_axes(axes.as_ref(), at, direction), &x, &mut forces);
             What::Forces(shares(&own.nodes, &forces, draft))
         }
         Kind::Shear(direction) => {
             let x = places(&own.nodes, draft);
             let mut forces = vec![[0.0; 3]; x.len()];
-            if !face.rub(direction, &x, &mut forces) {
+            if !face.rub(|at| in_axes(axes.as_ref(), at, direction), &x, &mut forces) {
                 across(line, draft);
                 return None;
             }
@@ -152,27 +152,31 @@ fn on_face(own: &SolidFace, line: &Distributed, draft: &mut Draft) -> Option<((u
     Some(((own.element, line.key(number, draft.dialect)), what))
 }
 
+/// The axes in which the direction of a load is given: `Some(None)` without, `None` after an error.
+fn axes_of(line: &Distributed, draft: &mut Draft) -> Option<Option<Orientation>> {
+    let axes = orientations::of_section(line.axes.as_ref(), draft)?;
+    if axes.is_some_and(|own| matches!(own.basis, Basis::Nodes(_))) {
+        let message = "axes of a load are not given by nodes of an element";
+        let error = Diagnostic::error(Code("SL0221"), message).at(line.origin);
+        draft.consequence(Subject::Steps, error.help("give points: DEFINITION=COORDINATES"));
+        return None;
+    }
+    Some(axes)
+}
+
+/// A vector whose components are along axes at a place, in those of the model.
+fn in_axes(axes: Option<&Orientation>, at: [f64; 3], vector: [f64; 3]) -> [f64; 3] {
+    let Some(axes) = axes else { return vector };
+    let own = axes.at(&[], at);
+    std::array::from_fn(|k| (0..3).map(|axis| vector[axis] * own[axis][k]).sum())
+}
+
 /// Complains about a traction along a face whose direction stands across it.
 fn across(line: &Distributed, draft: &mut Draft) {
     let message = "the direction of TRSHR stands across the face: it has no part along it";
     let error = Diagnostic::error(Code("SL0232"), message).at(line.origin);
     let help = "give a direction along the face, or a traction of any direction: TRVEC";
     draft.consequence(Subject::Steps, error.help(help));
-}
-
-/// Where nodes are [L].
-fn places(nodes: &[NodeIndex], draft: &Draft) -> Vec<[f64; 3]> {
-    nodes.iter().map(|&node| draft.model.nodes.get(node).position).collect()
-}
-
-/// Forces on nodes, those that are zero or out of a plane model left out.
-fn shares(nodes: &[NodeIndex], forces: &[[f64; 3]], draft: &Draft) -> Vec<(NodeIndex, Dof, f64)> {
-    let axes = draft.model.directions();
-    let each = nodes
-        .iter()
-        .zip(forces)
-        .flat_map(|(&node, force)| (0..3).map(move |k| (node, Dof::ALL[k], force[k])));
-    each.filter(|(_, dof, share)| *share != 0.0 && axes.contains(dof)).collect()
 }
 
 /// The direction of a force per volume on an element of a row, by its coordinate. That of Abaqus'
@@ -189,8 +193,6 @@ fn axis(along: Along, row: &ElementType, dialect: Dialect) -> Option<usize> {
 
 /// Why a load does not act in the plane, or not evenly round the axis, of an element.
 fn leaves(kind: Kind, row: &ElementType, dialect: Dialect) -> Option<&'static str> {
-    const NOUGHT: f64 = 1e-12; // a direction has the length 1
-    let ring = row.is_ring();
     if row.is_spatial() {
         return matches!(kind, Kind::Body(Along::Radius)).then_some("has no radius");
     }
@@ -203,29 +205,8 @@ fn leaves(kind: Kind, row: &ElementType, dialect: Dialect) -> Option<&'static st
         Kind::Traction([_, _, z]) | Kind::Shear([_, _, z]) => {
             (z.abs() > NOUGHT).then_some("takes no load out of its plane")
         }
-        Kind::Gravity([x, _, z]) if ring => {
-            (x.abs().max(z.abs()) > NOUGHT).then_some("takes gravity along its axis alone")
-        }
-        Kind::Gravity([_, _, z]) => (z.abs() > NOUGHT).then_some("takes no load out of its plane"),
-        Kind::Centrifugal([x, _, z], [a, _, c]) if ring => {
-            (x != 0.0 || z != 0.0 || a.abs().max(c.abs()) > NOUGHT)
-                .then_some("turns about its own axis alone")
-        }
-        // about an axis along z, or about one within the plane
-        Kind::Centrifugal([_, _, z], [a, b, c]) => (a.abs().max(b.abs()) > NOUGHT
-            && (c.abs() > NOUGHT || z != 0.0))
-            .then_some("takes no load out of its plane"),
+        Kind::Gravity(_) | Kind::Centrifugal(..) => weight_leaves(kind, row.is_ring()),
     }
-}
-
-fn refuse(why: &str, row: &ElementType, line: &Distributed, draft: &mut Draft) {
-    let message = format!("a {} element {why}", row.name());
-    let error = Diagnostic::error(Code("SL0251"), message).at(line.origin);
-    let help = match row.is_ring() {
-        true => "the axis of rings is that of y, x is their radius",
-        false => "leave out the part of the load along z",
-    };
-    draft.consequence(Subject::Elements, error.help(help));
 }
 
 /// Whether a load acts on mass.
@@ -233,14 +214,8 @@ fn is_weight(kind: Kind) -> bool {
     matches!(kind, Kind::Gravity(_) | Kind::Centrifugal(..))
 }
 
-/// Complains about weights that are not computed: of point masses and of mass that is added.
-fn weighs_otherwise(element: Element, line: &Distributed, draft: &mut Draft) -> bool {
-    if element.kind.is_mass() {
-        let message = format!("the weight of the MASS element {} is not supported", element.label);
-        let error = Diagnostic::error(Code("SL0221"), message).at(line.origin);
-        draft.consequence(Subject::Elements, error.help("give it as *CLOAD on its node"));
-        return true;
-    }
+/// Complains about the weight of mass that is added, which is not computed.
+fn weighs_otherwise(line: &Distributed, draft: &mut Draft) -> bool {
     if let Some(span) = draft.added_mass {
         let error = Diagnostic::error(Code("SL0221"), "the weight of added mass is not supported");
         let error = error.at(span).label(line.origin, "here it would weigh");
@@ -253,7 +228,10 @@ fn weighs_otherwise(element: Element, line: &Distributed, draft: &mut Draft) -> 
 fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((usize, Key), What)> {
     let element = draft.elements[index];
     let kind = line.kind;
-    if is_weight(kind) && weighs_otherwise(element, line, draft) {
+    if is_weight(kind) && element.kind.is_mass() {
+        return point_masses::on_mass(element, line, draft);
+    }
+    if is_weight(kind) && weighs_otherwise(line, draft) {
         return None;
     }
     let ElementKind::Structural(row) = element.kind else { return None };
@@ -278,7 +256,7 @@ fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((us
         },
     };
     if let Some(why) = leaves(kind, row, draft.dialect).filter(|_| row.joins()) {
-        refuse(why, row, line, draft);
+        refuse(why, row.name(), row.is_ring(), line, draft);
         return None;
     }
     let along = match kind {
@@ -315,20 +293,6 @@ fn own_rule(row: &ElementType, draft: &Draft) -> Option<&'static Quadrature> {
     match row.kinematics {
         Kinematics::Solid { rule, .. } if draft.dialect == Dialect::Calculix => Some(rule),
         _ => None,
-    }
-}
-
-/// The force per volume of a unit load at a place [F/L3].
-fn per_volume((kind, along): (Kind, Option<usize>), density: f64, at: [f64; 3]) -> [f64; 3] {
-    match kind {
-        Kind::Body(_) => std::array::from_fn(|k| if Some(k) == along { 1.0 } else { 0.0 }),
-        Kind::Gravity(direction) => direction.map(|d| density * d),
-        Kind::Centrifugal(point, axis) => {
-            let arm: [f64; 3] = std::array::from_fn(|k| at[k] - point[k]);
-            let along: f64 = (0..3).map(|k| arm[k] * axis[k]).sum();
-            std::array::from_fn(|k| density * (arm[k] - along * axis[k]))
-        }
-        _ => [0.0; 3],
     }
 }
 

@@ -10,7 +10,7 @@ use crate::surfaces::Pairing;
 /// What is worth knowing about a pair that can be solved.
 pub(super) fn remarks(
     (pairing, formulation): (&Pairing, Formulation),
-    (master, offset): (&Master, Offset),
+    (master, offset, is_profile): (&Master, Offset, bool),
     interaction: &Interaction,
     draft: &mut Draft,
 ) {
@@ -36,7 +36,7 @@ pub(super) fn remarks(
     if formulation != Formulation::SurfaceToSurface {
         return;
     }
-    if !pairing.no_thickness && offset.is_none() {
+    if !pairing.no_thickness && offset.is_none() && !is_profile {
         let message = "contact acts on the centre line of the beams: their thickness is not \
                        counted";
         let note = Diagnostic::note(Code("SL0336"), message).at(pairing.origin);
@@ -51,9 +51,12 @@ pub(super) fn remarks(
             Some(span) => advice.label(span, "hard contact is requested here"),
             None => advice.label(interaction.origin, "no law is given here: contact is hard"),
         };
-        let help = "give the stiffness of the contact: *SURFACE BEHAVIOR, \
-                    PRESSURE-OVERCLOSURE=EXPONENTIAL with c0 a small fraction of the thickness of \
-                    the beam";
-        draft.log.push(advice.help(help));
+        let of_beam = "give the stiffness of the contact: *SURFACE BEHAVIOR, \
+                       PRESSURE-OVERCLOSURE=EXPONENTIAL with c0 a small fraction of the thickness of \
+                       the beam";
+        let of_profile = "give the stiffness of the contact: *SURFACE BEHAVIOR, \
+                          PRESSURE-OVERCLOSURE=LINEAR with the modulus of the softer part over the \
+                          size of the zone of contact";
+        draft.log.push(advice.help(if is_profile { of_profile } else { of_beam }));
     }
 }

@@ -11,7 +11,8 @@ use std::rc::Rc;
 use slideline_diag::Span;
 use slideline_model::{self as model, Dialect, Dof, Load, NodeIndex, Pressure};
 
-use super::distributed::{What, resolve};
+use super::distributed::resolve;
+use super::load_forces::What;
 use super::standing::{Curved, Standing};
 use crate::distributed::{Distributed, Key};
 use crate::draft::Draft;

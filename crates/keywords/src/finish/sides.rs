@@ -1,7 +1,9 @@
 //! Both sides of a contact pair while it is put together.
 
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_model::{ContactElement, ContactFace, Interaction, Master, NodeIndex, NormalLaw};
+use slideline_model::{
+    ContactElement, ContactFace, Interaction, Master, NodeIndex, NormalLaw, RigidSurface,
+};
 
 use super::surfaces::Found;
 use crate::draft::Draft;
@@ -32,6 +34,8 @@ pub(super) struct Slaves {
     pub faces: Vec<ContactFace>,
     /// The nodes of the faces that are slaves; empty: all.
     pub nodes: Vec<NodeIndex>,
+    /// The profile that is the slave.
+    pub profile: Option<RigidSurface>,
 }
 
 pub(super) type Parts = Option<(Slaves, Master)>;

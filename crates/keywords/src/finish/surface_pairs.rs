@@ -148,6 +148,14 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
             Formulation::NodeToSurface
         }
         Formulation::SurfaceToSurface if of_solids => Formulation::Mortar,
+        Formulation::NodeToSurface if both_analytical(&first, &second) => {
+            let message = format!(
+                "{} has no nodes: contact is integrated along its profile",
+                pairing.slave.name
+            );
+            draft.log.push(Diagnostic::note(Code("SL0396"), message).at(pairing.origin));
+            Formulation::SurfaceToSurface
+        }
         given => given,
     };
     let parts = match formulation {
@@ -199,7 +207,8 @@ fn put_together(
     };
     let normal = as_read(pairing.formulation, &interaction.normal, draft.dialect);
     let interaction = Interaction { normal, ..interaction };
-    remarks((pairing, formulation), (&master, offset), &interaction, draft);
+    let is_profile = slaves.profile.is_some();
+    remarks((pairing, formulation), (&master, offset, is_profile), &interaction, draft);
     let corners = match formulation {
         Formulation::Mortar if slaves.faces.is_empty() => corners(&slaves.elements, draft),
         Formulation::Mortar => sharp_edges(&slaves.faces, draft),
@@ -219,6 +228,7 @@ fn put_together(
         faces: slaves.faces,
         slaves: slaves.nodes,
         corners,
+        profile: slaves.profile,
         master,
         interaction,
         offset,
@@ -231,6 +241,11 @@ fn put_together(
     let named = pairing.interaction.name.clone();
     draft.pairs_of_interaction.entry(named).or_default().push(place);
     draft.model.contact_pairs.push(pair);
+}
+
+/// Whether both sides are profiles of the plane.
+fn both_analytical(first: &Found, second: &Found) -> bool {
+    matches!((first, second), (Found::Rigid(_), Found::Rigid(_)))
 }
 
 /// Both sides with an analytical surface of space as the master, where the order is left open: it

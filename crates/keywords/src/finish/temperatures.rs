@@ -5,7 +5,6 @@ use slideline_model::{NodalTemperature, NodeIndex, Temperature};
 
 use super::standing::InForce;
 use crate::draft::{Draft, Heat};
-use crate::rule::Subject;
 
 /// Temperatures before the first step, a node each; none where the deck has none.
 pub(super) fn initial(draft: &mut Draft) {
@@ -45,13 +44,18 @@ pub(super) fn heat(
     }
 }
 
-/// A slope counts in beams of the plane alone.
+/// A slope counts in beams of the plane alone, and nothing takes more than that; solids have one
+/// temperature at a node.
 fn check(line: &Heat, draft: &mut Draft) {
-    let Some(span) = line.slope else { return };
-    if draft.elements.iter().any(|element| element.kind.is_beam()) {
-        return;
+    let beams = draft.elements.iter().any(|element| element.kind.is_beam());
+    if let (true, Some(span)) = (beams, line.further) {
+        let error = Diagnostic::error(Code("SL0209"), "more values than this line takes (3)");
+        draft.log.push(error.at(span));
     }
-    let message = "a slope of the temperature counts in beams of the plane, and there are none";
-    let error = Diagnostic::error(Code("SL0210"), message).at(span);
-    draft.consequence(Subject::Elements, error.help("give every node its own temperature"));
+    let Some(span) = line.slope.or(line.further) else { return };
+    if !beams && draft.log.first_time("slope of the temperature") {
+        let message = "solids have one temperature at a node: further values have no effect";
+        let note = Diagnostic::note(Code("SL0253"), message).at(span);
+        draft.log.push(note.help("give every node its own temperature"));
+    }
 }

@@ -51,7 +51,7 @@ fn shares(own: &SolidFace, draft: &Draft) -> Vec<f64> {
     });
     let Some(face) = face else { return along_line(&at) };
     let mut forces = vec![[0.0; 3]; count];
-    face.pull([1.0, 0.0, 0.0], &at, &mut forces);
+    face.pull(|_| [1.0, 0.0, 0.0], &at, &mut forces);
     forces.into_iter().map(|[share, ..]| share).collect()
 }
 

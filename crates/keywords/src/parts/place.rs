@@ -6,7 +6,7 @@ use slideline_model::{Node, SurfaceSegment};
 use crate::axes::{Given, Orientation, Transform};
 use crate::constraints::{Coupling, Cut, Equation, Link, Points, PreTension, ShapeMpc, Tie};
 use crate::draft::{
-    Boundary, Contents, Draft, Element, Gap, Interface, Section, Shape, Spring, Surface,
+    Boundary, Contents, Draft, Element, Gap, Interface, PointMass, Section, Shape, Spring, Surface,
 };
 use crate::instances::{Placement, Target};
 use crate::motion::Motion;
@@ -74,6 +74,12 @@ impl Place for Spring {
 }
 
 impl Place for Gap {
+    fn placed(self, by: &Placement) -> Self {
+        Self { set: by.name(&self.set), ..self }
+    }
+}
+
+impl Place for PointMass {
     fn placed(self, by: &Placement) -> Self {
         Self { set: by.name(&self.set), ..self }
     }
@@ -255,6 +261,7 @@ impl Draft {
             .into_iter()
             .map(|gap| Gap { direction: gap.direction.map(|way| motion.direction(way)), ..gap });
         extend(&mut self.gaps, turned.collect(), by);
+        extend(&mut self.masses, own.masses, by);
         extend(&mut self.surfaces, shapes, by);
         extend(&mut self.interfaces, own.interfaces, by);
         extend(&mut self.named_surfaces, surfaces, by);

@@ -30,7 +30,6 @@ pub(super) const GROUPS: &[Group] = &[
             "GLOBAL DAMPING",
             "CONTACT DAMPING",
             "DASHPOT",
-            "MASS",
             "ROTARY INERTIA",
             "NONSTRUCTURAL MASS",
             "MASS ADJUST",

@@ -41,11 +41,7 @@ const GROUPS: &[Group] = &[
         "write the values on data lines and their time as *AMPLITUDE",
         &["USER", "SUBMODEL", "STEP", "DATA SET", "SECTOR", "CYCLIC MODE"],
     ),
-    (
-        "DSLOAD",
-        "give traction by three components in space (TRVEC)",
-        &["ORIENTATION", "SUBMODEL", "STEP", "DATA SET"],
-    ),
+    ("DSLOAD", "give traction by three components (TRVEC)", &["SUBMODEL", "STEP", "DATA SET"]),
     (
         "ELEMENT",
         "write the elements on data lines, or draw them in with *INCLUDE, INPUT=",

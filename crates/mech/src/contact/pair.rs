@@ -24,6 +24,7 @@ pub mod mortar;
 pub mod mortar_faces;
 mod nose;
 mod stencil;
+mod stretch;
 mod surface;
 
 pub use body::Body;
@@ -31,6 +32,7 @@ pub use chain::{chain_attachments, chain_gap, chain_overclosure};
 pub use faces::{FacePoint, FaceRoom, Footing};
 pub use nose::{Nose, Reach};
 pub use stencil::{AnyGap, Derivatives, StencilAttachments};
+pub use stretch::{CarriedStretch, Stretch};
 pub use surface::RigidSurface;
 
 /// What the points of a pair obey.

@@ -100,7 +100,7 @@ fn a_ring_bears_on_its_circle() {
         let sum: f64 = force.iter().map(|f| f[1]).sum();
         assert!((sum - 3.0 * pi * 8.0).abs() < 1e-12, "{nodes} {sum}");
         let mut pulled = vec![[0.0; 3]; nodes];
-        ring.pull([0.0, 2.0, 0.0], &x, &mut pulled);
+        ring.pull(|_| [0.0, 2.0, 0.0], &x, &mut pulled);
         let sum: f64 = pulled.iter().map(|f| f[1]).sum();
         assert!((sum - 2.0 * pi * 4.0 * 2.5).abs() < 1e-12, "{nodes} {sum}");
     }
@@ -114,17 +114,17 @@ fn a_traction_along_a_face() {
     let slope = 0.75; // the face rises along x: tangent (4, 0, 3)/5, area 4 * 5/4
     let x: Vec<_> = QUAD8.places.iter().map(|&[a, b, _]| [a, b, slope * a]).collect();
     let mut force = [[0.0; 3]; 8];
-    assert!(quad.rub([1.0, 0.0, 0.0], &x, &mut force));
+    assert!(quad.rub(|_| [1.0, 0.0, 0.0], &x, &mut force));
     let sums = [0, 1, 2].map(|k| force.iter().map(|f| f[k]).sum::<f64>());
     for (sum, exact) in sums.into_iter().zip([4.0, 0.0, 3.0]) {
         assert!((sum - exact).abs() < 1e-13, "{sums:?}");
     }
-    assert!(!quad.rub([-0.6, 0.0, 0.8], &x, &mut force));
+    assert!(!quad.rub(|_| [-0.6, 0.0, 0.8], &x, &mut force));
     // an arc of three nodes: along it all the way
     let arc = Face::of(2, 3, 1.0).unwrap_or(quad);
     let x = [[-1.0, 0.0, 0.0], [0.0, 0.5, 0.0], [1.0, 0.0, 0.0]];
     let mut force = [[0.0; 3]; 3];
-    assert!(arc.rub([1.0, 0.0, 0.0], &x, &mut force));
+    assert!(arc.rub(|_| [1.0, 0.0, 0.0], &x, &mut force));
     let sums = [0, 1].map(|k| force.iter().map(|f| f[k]).sum::<f64>());
     assert!((sums[0] - 2.0).abs() < 1e-13 && sums[1].abs() < 1e-13, "{sums:?}");
 }
@@ -144,7 +144,7 @@ fn sums_are_pressure_times_area() {
     let sum: f64 = force.iter().map(|f| f[2]).sum();
     assert!((sum + 12.0).abs() < 1e-13);
     let mut pulled = [[0.0; 3]; 8];
-    quad.pull([1.0, 0.0, -2.0], &x, &mut pulled);
+    quad.pull(|_| [1.0, 0.0, -2.0], &x, &mut pulled);
     let sums = [0, 2].map(|k| pulled.iter().map(|f| f[k]).sum::<f64>());
     assert!((sums[0] - 4.0).abs() < 1e-13 && (sums[1] + 8.0).abs() < 1e-13);
 }

@@ -53,6 +53,7 @@ fn pair(nodes: &[NodeIndex], master: Master) -> ContactPair {
         adjust: crate::Adjust::Nothing,
         axes: [None; 2],
         corners: Vec::new(),
+        profile: None,
         offset: crate::Offset::NONE,
         slaves: Vec::new(),
         faces: Vec::new(),

@@ -3,7 +3,8 @@
 use super::words::{labels, number};
 use crate::number::general;
 use slideline_model::{
-    ContactPair, Formulation, Friction, Master, MasterFaces, Model, NormalLaw, StickRule, Sweep,
+    ContactPair, Formulation, Friction, Master, MasterFaces, Model, NormalLaw, RigidSurface,
+    StickRule, Sweep,
 };
 use slideline_solve::observe::{ContactRow, Frame};
 use std::fmt::Write as _;
@@ -18,8 +19,15 @@ pub fn pair_echo(model: &Model, pair: &ContactPair) -> String {
         Formulation::SurfaceToSurface => "integrated along their elements",
         Formulation::Mortar => "spread over their faces",
     };
-    let nodes = labels(model, &slaves);
-    line!(text, "  slave    {} nodes ({nodes}), {sampled}", slaves.len());
+    match &pair.profile {
+        Some(profile) => {
+            line!(text, "  slave    {}, integrated along it", analytic(model, profile))
+        }
+        None => {
+            let nodes = labels(model, &slaves);
+            line!(text, "  slave    {} nodes ({nodes}), {sampled}", slaves.len());
+        }
+    }
     line!(text, "  master   {}", master(model, &pair.master));
     let interaction = &pair.interaction;
     line!(text, "  width    {}", number(interaction.width));
@@ -35,14 +43,18 @@ pub fn pair_echo(model: &Model, pair: &ContactPair) -> String {
     text
 }
 
+fn analytic(model: &Model, surface: &RigidSurface) -> String {
+    format!(
+        "analytic rigid surface of {} segment{}, moving with node {}",
+        surface.segments.len(),
+        if surface.segments.len() == 1 { "" } else { "s" },
+        model.nodes.label(surface.reference)
+    )
+}
+
 fn master(model: &Model, master: &Master) -> String {
     match master {
-        Master::RigidSurface(surface) => format!(
-            "analytic rigid surface of {} segment{}, moving with node {}",
-            surface.segments.len(),
-            if surface.segments.len() == 1 { "" } else { "s" },
-            model.nodes.label(surface.reference)
-        ),
+        Master::RigidSurface(surface) => analytic(model, surface),
         Master::Faces(MasterFaces { swept: Some(swept), .. }) => format!(
             "analytical surface of {} segment{} {}, moving with node {}",
             swept.segments.len(),

@@ -252,3 +252,25 @@ fn a_run_that_went_on_measures_the_whole_history() {
         }
     }
 }
+
+/// Requirement: a run in which no pair was closed says so and is amber; its sister that presses is neither for
+/// that reason.
+#[test]
+fn a_run_that_touches_nothing_is_not_green() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../corpus/run/SL0619-pins.inp");
+    let pressed = std::fs::read_to_string(path).unwrap();
+    let away = pressed.replace("900, 2, 2, -0.8", "900, 2, 2, 0.8");
+    for (name, text, says) in [("pressed", &pressed, false), ("away", &away, true)] {
+        let read = Job::read_text(name, text, &ReadOptions::default());
+        let place = folder(&format!("touch_{name}"));
+        let outcome = run_in(&place, &read);
+        assert_eq!(codes(&outcome).contains(&"SL0614"), says, "{name}: {:?}", codes(&outcome));
+        let summary = std::fs::read_to_string(place.join(format!("{name}.json"))).unwrap();
+        assert!(
+            !says
+                || summary.contains("\"colour\":\"amber\"")
+                || summary.contains("\"colour\": \"amber\""),
+            "{summary}"
+        );
+    }
+}

@@ -60,6 +60,11 @@ fn ring(history: &str) -> End {
 /// A block of 2 by 1 in four elements, thickness 3, E = 1000, nu = 0.25, density 0.002, held along
 /// its left and lower sides.
 fn run(step: &str, history: &str) -> End {
+    run_with("", step, history)
+}
+
+/// The same with further cards of the model.
+fn run_with(cards: &str, step: &str, history: &str) -> End {
     let mut nodes = String::new();
     for j in 0..3 {
         for i in 0..3 {
@@ -70,7 +75,7 @@ fn run(step: &str, history: &str) -> End {
         "*NODE\n{nodes}*ELEMENT, TYPE=CPE4, ELSET=B\n1, 1, 2, 5, 4\n2, 2, 3, 6, 5\n3, 4, 5, 8, 7\n\
          4, 5, 6, 9, 8\n*ELSET, ELSET=R\n2, 4\n*ELSET, ELSET=T\n3, 4\n*SOLID SECTION, ELSET=B, \
          MATERIAL=M\n3.\n*MATERIAL, NAME=M\n*ELASTIC\n1000., 0.25\n*DENSITY\n0.002\n\
-         *SURFACE, NAME=RIGHT\nR, S2\n*SURFACE, NAME=OUTSIDE\nB,\n*STEP{step}\n*STATIC\n1., 1.\n\
+         *SURFACE, NAME=RIGHT\nR, S2\n*SURFACE, NAME=OUTSIDE\nB,\n{cards}*STEP{step}\n*STATIC\n1., 1.\n\
          *BOUNDARY\n1, 1, 2\n4, 1\n7, 1\n2, 2\n3, 2\n{history}*END STEP\n"
     );
     solved(&deck)
@@ -120,6 +125,48 @@ fn traction_along_a_side() {
     let across: f64 = [1, 2, 3].map(|node| end.reaction[&node][1]).iter().sum();
     let along: f64 = [1, 4, 7].map(|node| end.reaction[&node][0]).iter().sum();
     assert!((across + 5.0 * 3.0).abs() < 1e-9 && along.abs() < 1e-9, "{across} {along}");
+}
+
+/// Requirement: the direction of a traction may be given in axes of its own: along x of axes turned by a
+/// right angle it pulls along y; along the radius of a cylinder about z its sums over the side x = 2, y = 0
+/// to 1, thickness 3, are 6 asinh(1/2) and 3 (sqrt 5 - 2) times its size. Source: the integrals of
+/// (x, y)/r. Tolerance: rounding; two points an edge, 1e-4.
+#[test]
+fn traction_in_axes_of_its_own() {
+    let turned = "*ORIENTATION, NAME=O\n0., 1., 0., -1., 0., 0.\n";
+    let load = "*DSLOAD, ORIENTATION=O\nRIGHT, TRVEC, 5., 1., 0., 0.\n";
+    let sums = |end: &End| {
+        let sum = |nodes: [u64; 3], k: usize| {
+            nodes.map(|node| end.reaction[&node][k]).iter().sum::<f64>()
+        };
+        [sum([1, 4, 7], 0), sum([1, 2, 3], 1)]
+    };
+    let [x, y] = sums(&run_with(turned, "", load));
+    assert!(x.abs() < 1e-9 && (y + 15.0).abs() < 1e-9, "{x} {y}");
+    let round = "*ORIENTATION, NAME=O, SYSTEM=CYLINDRICAL\n0., 0., 0., 0., 0., 1.\n";
+    let [x, y] = sums(&run_with(round, "", load));
+    let expected = [-30.0 * 0.5_f64.asinh(), -15.0 * (5.0_f64.sqrt() - 2.0)];
+    assert!((x / expected[0] - 1.0).abs() < 1e-4, "{x} {expected:?}");
+    assert!((y / expected[1] - 1.0).abs() < 1e-4, "{y} {expected:?}");
+}
+
+/// Requirement: points weigh m g, and m omega^2 r about an axis, on their nodes, twice where two are at a node;
+/// a part gives its points to its instances. Source: Newton. Tolerance: rounding.
+#[test]
+fn points_weigh() {
+    let cards = "*ELEMENT, TYPE=MASS, ELSET=P\n11, 6\n12, 6\n*ELEMENT, TYPE=MASS, ELSET=Q\n13, 9\n\
+        *MASS, ELSET=P\n0.25\n*MASS, ELSET=Q\n1.5\n";
+    let down = |end: &End| [1, 2, 3].map(|node| end.reaction[&node][1]).iter().sum::<f64>();
+    let own = 0.002 * 2.0 * 3.0;
+    let whole = down(&run_with(cards, "", "*DLOAD\n, GRAV, 10., 0., -1., 0.\n"));
+    assert!((whole - 10.0 * (own + 2.0)).abs() < 1e-9, "{whole}");
+    let some = down(&run_with(cards, "", "*DLOAD\nQ, GRAV, 10., 0., -1., 0.\n"));
+    assert!((some - 15.0).abs() < 1e-9, "{some}");
+    // about an axis along z through (-1, 0): node 9 is at (2, 1)
+    let turned = run_with(cards, "", "*DLOAD\nQ, CENTRIF, 4., -1., 0., 0., 0., 0., 1.\n");
+    let across: f64 = [1, 4, 7].map(|node| turned.reaction[&node][0]).iter().sum();
+    assert!((across + 1.5 * 4.0 * 3.0).abs() < 1e-9, "{across}");
+    assert!((down(&turned) + 1.5 * 4.0).abs() < 1e-9, "{}", down(&turned));
 }
 
 /// Requirement: pressure that follows its faces converges quadratically at large strain, and on all

@@ -39,6 +39,7 @@ fn model() -> Model {
 fn contact() -> ContactPair {
     let element = |nodes| ContactElement { label: 1, nodes, lumping: Lumping::Halves, origin: AT };
     ContactPair {
+        profile: None,
         of_solids: false,
         name: String::new(),
         formulation: Formulation::NodeToSurface,

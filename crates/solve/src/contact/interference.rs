@@ -95,8 +95,7 @@ impl Contact {
             return 0.0;
         };
         let body = Body { reference: *reference, dofs: [0.0; 3] };
-        let [x, y] = segment.line.reference(xi);
-        let of_line = surface.overclosure(&body, [x, y, 0.0]);
+        let of_line = surface.overclosure(&body, segment.line.reference(xi));
         of_line.map_or(0.0, |of_line| of_line + segment.offset.both())
     }
 

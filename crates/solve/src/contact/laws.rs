@@ -1,12 +1,14 @@
 //! The laws of a pair, with the lengths of its mesh filled in.
 
-use super::master::MasterSurface;
+use super::master::{MasterSurface, placed};
 use crate::users::UserFrictions;
 use slideline_mech::contact::friction::{Decay, Ellipse, FrictionLaw, Stick};
 use slideline_mech::contact::normal::NormalLaw;
 use slideline_mech::contact::pair::Laws;
 use slideline_mech::contact::points::{average_length, chord};
-use slideline_model::{ContactPair, ElementBlock, Formulation, Friction, Model, StickRule};
+use slideline_model::{
+    ContactPair, ElementBlock, Formulation, Friction, Model, Section, StickRule,
+};
 use std::borrow::Cow;
 
 /// State values a point of the pair keeps for a user friction law.
@@ -92,8 +94,21 @@ pub(super) fn normal<'a>(
 /// slave element's own, per area.
 const PENALTY: f64 = 10.0;
 
-/// Largest EA/l of the beams, per area of a contact element [F/L3].
+/// A modulus of the elements of a block [F/L2]; none of springs.
+fn modulus(block: &ElementBlock) -> f64 {
+    match &block.section {
+        Section::Beam(section) => section.material.modulus,
+        Section::Solid(section) => section.material.stiffest(),
+        Section::Spring(_) | Section::Properties(_) => 0.0,
+    }
+}
+
+/// Largest EA/l of the beams, per area of a contact element; of a profile, largest E/l of all parts, l the
+/// mean length of its segments [F/L3].
 fn stiffest_face(model: &Model, pair: &ContactPair, length: f64) -> f64 {
+    if pair.profile.is_some() {
+        return model.blocks.iter().map(modulus).fold(0.0, f64::max) / length;
+    }
     let axial = |block: &ElementBlock| match block.beams() {
         Some(beams) => beams.section.material.modulus * beams.section.shape.area(),
         None => 0.0,
@@ -120,8 +135,13 @@ pub(super) fn spacing(model: &Model, length: f64, master: &MasterSurface) -> f64
     }
 }
 
-/// Mean length of the contact elements of a pair, undeformed [L]; zero without.
+/// Mean length of the contact elements of a pair, of the segments of a slave profile, undeformed [L];
+/// zero without.
 pub fn mean_length(model: &Model, pair: &ContactPair) -> f64 {
+    if let Some(profile) = &pair.profile {
+        let own = placed(profile);
+        return own.map_or(0.0, |own| own.length() / profile.segments.len() as f64);
+    }
     let position = |node| model.nodes.get(node).position;
     let edges = pair.faces.iter().filter_map(|face| {
         let corners = face.cell()?.faces.len();

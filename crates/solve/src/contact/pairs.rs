@@ -3,7 +3,7 @@
 use super::master::MasterSurface;
 use super::mortar::slave::Mortar;
 use super::mortar_faces::slave::FaceMortar;
-use super::segment::{SEGMENT_POINTS, SlaveSegment};
+use super::segment::{SEGMENT_POINTS, STRETCHES, SlaveSegment};
 use super::slave_face::SlaveFace;
 use super::stencil::SectionTurn;
 use crate::dofs::Translations;
@@ -133,7 +133,10 @@ pub fn point_count(pair: &ContactPair) -> usize {
     match pair.formulation {
         Formulation::NodeToSurface => pair.slave_nodes().len(),
         Formulation::Mortar => pair.slave_nodes().len() + pair.corners.len(),
-        Formulation::SurfaceToSurface => pair.elements.len() * SEGMENT_POINTS,
+        Formulation::SurfaceToSurface => {
+            let of_profile = pair.profile.as_ref().map_or(0, |own| STRETCHES * own.segments.len());
+            (pair.elements.len() + of_profile) * SEGMENT_POINTS
+        }
     }
 }
 

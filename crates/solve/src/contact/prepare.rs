@@ -1,17 +1,19 @@
 //! The pairs of a model prepared: which points there are, which dofs they follow, which masters.
 
 use super::laws::{self, mean_length, state_size};
-use super::master::MasterSurface;
+use super::master::{MasterSurface, placed};
 use super::mortar::slave::Mortar;
 use super::mortar_faces::slave::FaceMortar;
 use super::pairs::{Carrier, Contact, SlavePoint};
-use super::segment::{CELLS, SEGMENT_POINTS, SlaveSegment};
+use super::segment::{CELLS, SEGMENT_POINTS, STRETCHES, SlaveSegment};
 use super::shear::{Shear, sheared_beams};
 use super::stencil::{NO_TURN, SectionTurn};
 use crate::dofs::{DofMap, rigid_dofs};
 use crate::users::UserFrictions;
-use slideline_mech::contact::points::integration_points::{HermiteLine, POINTS};
-use slideline_model::{ContactPair, Dof, Formulation, Master, Model, NodeIndex};
+use slideline_mech::contact::pair::Stretch;
+use slideline_mech::contact::points::integration_points::POINTS;
+use slideline_mech::contact::search::rigid::RigidSegment;
+use slideline_model::{ContactPair, Dof, Formulation, Master, Model, NodeIndex, RigidSurface};
 use std::collections::{HashMap, HashSet};
 
 impl Contact {
@@ -201,16 +203,34 @@ impl Contact {
                 let node = element.nodes[usize::from(2 * (point / POINTS) >= CELLS)];
                 self.add_point(place, pair, node, Carrier::IntegrationPoint { segment });
             }
-            self.segments.push(SlaveSegment {
-                pair: place,
-                rows: element.nodes.map(|node| rows[&node]),
-                line: HermiteLine::new([[0.0; 3]; 2], [[0.0; 3]; 2]),
-                dofs: [a[0], a[1], a[2], b[0], b[1], b[2]],
-                shear: Shear::new(model, dofs, element.nodes, &beams),
-                width: pair.interaction.width,
-                offset: pair.offset,
-                first,
-            });
+            let rows = element.nodes.map(|node| rows[&node]);
+            let own = [a[0], a[1], a[2], b[0], b[1], b[2]];
+            let mut new = SlaveSegment::of_beam((place, rows), own, first);
+            new.shear = Shear::new(model, dofs, element.nodes, &beams);
+            self.segments.push(new);
+        }
+        if let Some(profile) = &pair.profile {
+            self.add_profile(dofs, (place, pair), profile);
+        }
+    }
+
+    /// Adds the parts of a profile as segments of integration points, without their numbers.
+    fn add_profile(
+        &mut self,
+        dofs: &DofMap,
+        (place, pair): (usize, &ContactPair),
+        profile: &RigidSurface,
+    ) {
+        let node = profile.reference;
+        let own = rigid_dofs(dofs, node);
+        let still = RigidSegment::Line { a: [0.0; 2], b: [0.0; 2] };
+        for _ in 0..STRETCHES * profile.segments.len() {
+            let (segment, first) = (self.segments.len(), self.points.len());
+            for _ in 0..SEGMENT_POINTS {
+                self.add_point(place, pair, node, Carrier::IntegrationPoint { segment });
+            }
+            let stretch = Stretch::new(still, [0.0, 1.0], [0.0; 3]);
+            self.segments.push(SlaveSegment::of_profile(place, stretch, own, first));
         }
     }
 
@@ -232,6 +252,9 @@ impl Contact {
         for (index, pair) in model.contact_pairs.iter().enumerate() {
             let length = mean_length(model, pair);
             if !self.take_master(model, dofs, (index, length)) {
+                return Err(index);
+            }
+            if pair.profile.as_ref().is_some_and(|own| placed(own).is_none()) {
                 return Err(index);
             }
             self.take_axes(model, index);

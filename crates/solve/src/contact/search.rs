@@ -36,7 +36,7 @@ impl Contact {
             Carrier::Node { position, dofs, .. } => dofs.displace(*position, u),
             Carrier::IntegrationPoint { segment } => {
                 let segment = &self.segments[*segment];
-                segment.line.bent(&segment.ends(u)).position(xi)
+                segment.line.placed(&segment.ends(u)).position(xi)
             }
         }
     }
@@ -45,9 +45,7 @@ impl Contact {
     pub(super) fn attachment(&self, point: &SlavePoint, xi: f64) -> Attachment {
         match &point.carrier {
             Carrier::Node { .. } => Attachment::Point { map: PointMap::Free, first: 0 },
-            Carrier::IntegrationPoint { segment } => {
-                Attachment::Blend { blend: self.segments[*segment].line.blend(xi), firsts: [0, 3] }
-            }
+            Carrier::IntegrationPoint { segment } => self.segments[*segment].line.attachment(xi),
         }
     }
 

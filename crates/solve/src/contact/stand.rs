@@ -205,9 +205,9 @@ impl Contact {
         let MasterSurface::Body { surface, .. } = master else { return };
         let body = master.placed_body(u);
         let ends = segment.ends(u);
-        let bent = segment.line.bent(&ends);
+        let placed = segment.line.placed(&ends);
         let beyond = |xi: f64| {
-            let overclosure = surface.overclosure(&body, bent.position(xi));
+            let overclosure = surface.overclosure(&body, placed.position(xi));
             let allowed = self.allowed_along(segment, xi);
             overclosure.unwrap_or(f64::NEG_INFINITY) - allowed - begins
         };

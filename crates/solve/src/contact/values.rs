@@ -9,16 +9,17 @@
 
 use super::laws;
 use super::master::{MasterSurface, listed_nodes, own_parts, placed_segments, swept_profile};
-use super::pairs::{Carrier, Contact};
-use super::segment::SEGMENT_POINTS;
+use super::pairs::{Carrier, Contact, SlavePoint};
+use super::segment::{Along, NEAR, SEGMENT_POINTS, STRETCHES, SlaveSegment};
 use crate::dofs::DofMap;
 use crate::users::UserFrictions;
+use slideline_mech::contact::pair::Stretch;
 use slideline_mech::contact::points::faces::tributary_areas as face_areas;
 use slideline_mech::contact::points::{
     Across, chord, integration_points::HermiteLine, tributary_areas,
 };
 use slideline_mech::surface::mesh::FaceMesh;
-use slideline_model::{ContactPair, Formulation, Master, Model, NodeIndex};
+use slideline_model::{ContactPair, Formulation, Master, Model, NodeIndex, RigidSurface};
 use std::collections::HashMap;
 
 impl Contact {
@@ -98,6 +99,12 @@ impl Contact {
         let mut rest = &mut segments[..];
         let integrated = |pair: &ContactPair| pair.formulation == Formulation::SurfaceToSurface;
         for (index, pair) in model.contact_pairs.iter().enumerate().filter(|p| integrated(p.1)) {
+            if let Some(profile) = &pair.profile {
+                let count = STRETCHES * profile.segments.len();
+                let Some(own) = rest.split_off_mut(..count) else { return };
+                take_profile((model, pair), profile, own, points);
+                continue;
+            }
             let Some(own) = rest.split_off_mut(..pair.elements.len()) else { return };
             tangents.clear();
             tangents.resize(slave_nodes[index].len(), [0.0; 3]);
@@ -119,7 +126,8 @@ impl Contact {
                 let length = distance(model, element.nodes);
                 let nodes = element.nodes.map(|node| model.nodes.get(node).position);
                 let tangents = segment.rows.map(|row| tangents[row].map(|t| t * length));
-                segment.line = HermiteLine::new(nodes, tangents);
+                segment.line = Along::Beam(HermiteLine::new(nodes, tangents));
+                segment.near = NEAR * segment.line.length();
                 segment.width = pair.interaction.width;
                 segment.offset = pair.offset;
                 segment.shear.iter_mut().for_each(|shear| shear.take(model));
@@ -230,6 +238,29 @@ fn across(model: &Model, pair: &ContactPair) -> Across {
     match model.is_of_rings() {
         true => Across::Ring,
         false => Across::Width(pair.interaction.width),
+    }
+}
+
+/// The parts of a profile along which contact is integrated, and their areas.
+fn take_profile(
+    (model, pair): (&Model, &ContactPair),
+    profile: &RigidSurface,
+    own: &mut [SlaveSegment],
+    points: &mut [SlavePoint],
+) {
+    let reference = model.nodes.get(profile.reference).position;
+    let parts = |k: usize| [k, k + 1].map(|end| end as f64 / STRETCHES as f64);
+    let placed = placed_segments(profile).flatten();
+    let stretches = placed
+        .flat_map(|part| (0..STRETCHES).map(move |k| Stretch::new(part, parts(k), reference)));
+    let whole = placed_segments(profile).flatten().map(|part| part.length()).sum::<f64>();
+    for (segment, stretch) in own.iter_mut().zip(stretches) {
+        segment.near = NEAR * whole;
+        segment.line = Along::Profile(stretch);
+        segment.width = pair.interaction.width;
+        let areas = segment.areas();
+        let own = &mut points[segment.first..][..SEGMENT_POINTS];
+        own.iter_mut().zip(areas).for_each(|(point, area)| point.area = area);
     }
 }
 

@@ -166,7 +166,9 @@ impl Scratch {
         moments::stiffen(plan, &self.evaluation.rows, &self.load, at, &mut self.values);
         self.turn(plan);
         for k in 0..self.points.len() {
-            if self.points[k].pressure == 0.0 && self.points[k].stiffness == 0.0 {
+            let point = &self.points[k];
+            let presses = point.pressure != 0.0 || point.stiffness != 0.0;
+            if !presses || self.opened[point.pair] {
                 continue;
             }
             let place = self.points[k].place;
@@ -177,9 +179,12 @@ impl Scratch {
 
     /// Adds the geometry of faces in space that contact is spread over.
     fn add_faces(&mut self, plan: &Problem<'_>) {
-        let Self { evaluation, pressures, tractions, geometry, values, .. } = self;
+        let Self { evaluation, pressures, tractions, geometry, values, opened, .. } = self;
         let kinematics = &evaluation.kinematics;
         let forces = |place: usize| {
+            if opened[plan.contact.points[place].pair] {
+                return None;
+            }
             let area = kinematics.points()[place].area;
             Some((area * pressures[place], area * tractions[place]))
         };
@@ -258,7 +263,7 @@ impl Scratch {
         let stresses = Some(&self.stresses[..]);
         let at = (&self.u[..], &self.turns[..]);
         plan.structure.turning_forces(at, stresses, &evaluation.contributions, turning);
-        for linear in self.points.iter() {
+        for linear in self.points.iter().filter(|point| !self.opened[point.pair]) {
             let (p, tau) = (self.pressures[linear.place], self.tractions[linear.place]);
             evaluation.kinematics.at(linear.place).press(p, tau, turning);
         }

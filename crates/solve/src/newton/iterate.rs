@@ -53,6 +53,11 @@ impl Scratch {
         let mut done = self.factor(plan, committed);
         if done.is_ok() && !self.outside() {
             done = self.contact_step(plan, committed, dt);
+            if done.is_ok() && !plan.inserts_laws() && self.opens_pairs() {
+                done = self.factor(plan, committed);
+                done = done.and_then(|()| self.contact_step(plan, committed, dt));
+            }
+            self.opened.fill(false);
         }
         let free = self.enforcement == Enforcement::MatrixFree && plan.enforcement.is_none();
         let lost = done.is_err() || !self.contact.is_solved();
@@ -62,6 +67,19 @@ impl Scratch {
         self.only_dense = true;
         self.factor(plan, committed)?;
         self.contact_step(plan, committed, dt)
+    }
+
+    /// Whether the solution opens pairs that pressed; they are noted. Their geometry, taken at
+    /// pressures that are no more, goes with them: it can be what opened them, docs/theory.md eq. (8.36).
+    fn opens_pairs(&mut self) -> bool {
+        let Self { points, pressures, opened, .. } = self;
+        for point in points.iter() {
+            opened[point.pair] |= pressures[point.place] != 0.0;
+        }
+        for point in points.iter() {
+            opened[point.pair] &= point.pressure == 0.0;
+        }
+        opened.contains(&true)
     }
 
     /// One Newton iteration: assemble, factor, solve, move, evaluate.

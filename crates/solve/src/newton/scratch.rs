@@ -75,6 +75,8 @@ pub struct Scratch {
     pub(super) enforcement: Enforcement,
     /// Whether the rest of the attempt goes the dense way.
     pub(super) only_dense: bool,
+    /// Pairs that the solution of the iteration opens: their geometry goes with their pressures.
+    pub(super) opened: Vec<bool>,
     /// The increment [T].
     pub(super) dt: f64,
     pub(super) correction: Vec<f64>,
@@ -247,6 +249,8 @@ impl Scratch {
         self.contact.reserve(points, equations);
         self.was_closed.clear();
         self.was_closed.resize(points, false);
+        self.opened.clear();
+        self.opened.resize(plan.contact.slave_nodes.len(), false);
         self.iteration_history.fit(points);
         self.dashpots.forget(plan.contact);
         self.met.clear();

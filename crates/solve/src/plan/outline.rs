@@ -189,6 +189,7 @@ fn draw_pair(pair: &ContactPair, note: &mut impl FnMut(usize)) {
     draw_faces(&pair.faces, note);
     note(pair.slaves.len());
     pair.slaves.iter().for_each(|&node| note(node));
+    note(pair.profile.as_ref().map_or(0, |own| own.segments.len()));
     match &pair.master {
         Master::RigidSurface(surface) => [0, surface.reference].into_iter().for_each(note),
         Master::SlideLine(line) => {

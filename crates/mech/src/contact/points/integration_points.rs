@@ -131,8 +131,62 @@ pub fn closed_part_between(
         return Some((0.0, 1.0));
     }
     let inside = highest(&f, [left, middle, right])?;
-    let begin = if left > 0.0 { 0.0 } else { root(&f, (0.0, left), inside) };
-    let end = if right > 0.0 { 1.0 } else { root(&f, (1.0, right), inside) };
+    between_ends(&f, [left, right], inside)
+}
+
+/// The same of a function with one top between the ends, however sharp: that of two rounded bodies.
+/// The values at both ends and the middle are known; where none is positive the top is looked for.
+/// Where nothing is closed, half of the cell about the top: what closes first, and whether it is closed.
+pub fn closed_part_of_one_top(
+    f: impl Fn(f64) -> f64,
+    [left, middle, right]: [f64; 3],
+) -> ((f64, f64), bool) {
+    if left > 0.0 && right > 0.0 && middle > 0.0 {
+        return ((0.0, 1.0), true);
+    }
+    let known = [(0.5, middle), (0.0, left), (1.0, right)];
+    let inside = known.into_iter().find(|own| own.1 > 0.0).unwrap_or_else(|| one_top(&f));
+    let closed = if inside.1 > 0.0 { between_ends(&f, [left, right], inside) } else { None };
+    match closed {
+        Some(part) => (part, true),
+        None => (((inside.0 - 0.25).max(0.0), (inside.0 + 0.25).min(1.0)), false),
+    }
+}
+
+/// The first place where `f` turns out positive on the way to its one top on [0, 1], or that top, with its
+/// value. Golden sections, to a thousandth: the top of what is smooth is as high as that to a millionth.
+fn one_top(f: &impl Fn(f64) -> f64) -> (f64, f64) {
+    const GOLDEN: f64 = 0.618_033_988_749_894_8;
+    let (mut low, mut high) = (0.0, 1.0);
+    let inner = |low: f64, high: f64| [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
+    let [mut a, mut b] = inner(low, high).map(|x| (x, f(x)));
+    while high - low > 1e-3 {
+        if a.1 > 0.0 || b.1 > 0.0 {
+            break;
+        }
+        if a.1 > b.1 {
+            high = b.0;
+            b = a;
+            let x = inner(low, high)[0];
+            a = (x, f(x));
+        } else {
+            low = a.0;
+            a = b;
+            let x = inner(low, high)[1];
+            b = (x, f(x));
+        }
+    }
+    if a.1 > b.1 { a } else { b }
+}
+
+/// The part about a place where `f` is positive, its values at both ends known.
+fn between_ends(
+    f: &impl Fn(f64) -> f64,
+    [left, right]: [f64; 2],
+    inside: (f64, f64),
+) -> Option<(f64, f64)> {
+    let begin = if left > 0.0 { 0.0 } else { root(f, (0.0, left), inside) };
+    let end = if right > 0.0 { 1.0 } else { root(f, (1.0, right), inside) };
     (end > begin).then_some((begin, end))
 }
 
@@ -240,5 +294,26 @@ mod tests {
         }
         assert_eq!(closed_part(|x| -1.0 - x * x), None);
         assert_eq!(closed_part(|_| 1.0), Some((0.0, 1.0)));
+    }
+
+    /// Requirement: the closed part of two circles that overlap is found to round-off however small the
+    /// one with the sharp top is against the stretch; none is found where they do not overlap.
+    #[test]
+    fn closed_part_of_a_sharp_top() {
+        for (centre, radius) in [(0.37, 0.02_f64), (0.81, 0.3), (0.06, 1e-3), (0.5, 2.0)] {
+            for deep in [1e-3, 0.03, 0.3] {
+                let depth = deep * radius;
+                let f = |x: f64| radius - (radius - depth).hypot(x - centre);
+                let half = (radius * radius - (radius - depth) * (radius - depth)).sqrt();
+                let ((begin, end), closed) = closed_part_of_one_top(f, [0.0, 0.5, 1.0].map(f));
+                assert!(closed);
+                assert!((begin - f64::max(0.0, centre - half)).abs() < 1e-9, "{centre} {begin}");
+                assert!((end - f64::min(1.0, centre + half)).abs() < 1e-9, "{centre} {end}");
+                let apart = |x: f64| radius - (radius + depth).hypot(x - centre);
+                let ((begin, end), closed) =
+                    closed_part_of_one_top(apart, [0.0, 0.5, 1.0].map(apart));
+                assert!(!closed && begin <= centre && centre <= end, "{centre}");
+            }
+        }
     }
 }
