@@ -1,6 +1,7 @@
 //! Contact: laws, searches and pairs, each judged on what runs leave.
 
 mod adjust;
+mod aligned_blocks;
 mod along_beams;
 mod analytical_in_space;
 mod beam_contact_in_space;

@@ -246,7 +246,8 @@ impl Window {
             let (here, there) = (off(vertex), off(next));
             if here == 0.0 {
                 let corner = upon(vertex.corner, edge, edges.len());
-                let leaves = if there < 0.0 { Edge::Slave(edge) } else { vertex.edge };
+                // an edge upon that of the slave bounds nothing: what is beyond it is another face's
+                let leaves = if there > 0.0 { vertex.edge } else { Edge::Slave(edge) };
                 left.push(Vertex { corner, edge: leaves, ..*vertex })?;
             } else if here > 0.0 {
                 left.push(*vertex)?;

@@ -77,17 +77,21 @@ impl<R: Real> Couple<'_, R> {
 
     /// Whether a corner is where the surface of the master ends, and that of the slave near.
     fn is_end(&self, overlap: &Overlap, corner: Corner) -> bool {
-        let Ends { slave, master } = &self.ends;
+        self.ends.slave.nodes.contains(&true) && self.is_bound(overlap, corner)
+    }
+
+    /// Whether a corner bounds what the master covers: where its surface ends or has a crease.
+    pub(super) fn is_bound(&self, overlap: &Overlap, corner: Corner) -> bool {
+        let Ends { master, .. } = &self.ends;
         let piece = pieces(self.master.count)[overlap.master_piece];
-        slave.nodes.contains(&true)
-            && match corner {
-                Corner::Slave(_) => false,
-                Corner::Master(k) | Corner::Upon { master: k, .. } => master.nodes[piece[k]],
-                Corner::Crossing { master: ends, .. } => {
-                    let [a, b] = ends.map(|k| piece[k]);
-                    edge_between(self.master.count, a, b).is_some_and(|edge| master.edges[edge])
-                }
+        match corner {
+            Corner::Slave(_) => false,
+            Corner::Master(k) | Corner::Upon { master: k, .. } => master.nodes[piece[k]],
+            Corner::Crossing { master: ends, .. } => {
+                let [a, b] = ends.map(|k| piece[k]);
+                edge_between(self.master.count, a, b).is_some_and(|edge| master.edges[edge])
             }
+        }
     }
 }
 

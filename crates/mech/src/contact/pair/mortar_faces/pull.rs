@@ -180,7 +180,9 @@ impl<R: Real> Couple<'_, R> {
         chain.move_triangle(station, placed, by_place, by_twice);
     }
 
-    /// What derivatives by the corners of the overlap are by nodes.
+    /// What derivatives by the corners of the overlap are by nodes. A corner within the surface of the master bounds
+    /// nothing: what one overlap loses with it another one wins, in the integrals to the error of the rule alone.
+    /// Between two edges that are almost parallel that error would be divided by the angle between them.
     fn pull_vertices(&self, overlap: &Overlap, placed: &Placed<R>, chain: &mut Chain<'_, R>) {
         let piece = pieces(self.slave.count)[overlap.piece];
         let of_master = pieces(self.master.count)[overlap.master_piece];
@@ -192,6 +194,9 @@ impl<R: Real> Couple<'_, R> {
         let normal = placed.plane.normal;
         let one = R::from_f64(1.0);
         for (vertex, &corner) in overlap.corners().iter().enumerate() {
+            if !self.is_bound(overlap, corner) {
+                continue;
+            }
             let stands = &placed.vertices[vertex];
             let by = chain.by_vertices[vertex];
             let by_edge = |edge: usize| {
