@@ -48,10 +48,14 @@ fn add_gaps_of_nodes(model: &Model, start: &mut InitialGaps) {
             continue;
         };
         let Some(shape) = slideline_solve::rigid_surface(surface) else { continue };
+        let profile = pair.profile.as_ref().and_then(slideline_solve::rigid_surface);
+        let nearest = profile.and_then(|profile| shape.overclosure_of(&profile));
         let body = Body { reference: model.nodes.position(surface.reference), dofs: [0.0; 3] };
         let rows = start.points.iter_mut().filter(|row| row.pair == place);
         for row in rows.filter(|row| row.opening == f64::INFINITY) {
-            if let Some(overclosure) = shape.overclosure(&body, row.position) {
+            let of_node = || shape.overclosure(&body, row.position);
+            let overclosure = if pair.profile.is_some() { nearest } else { of_node() };
+            if let Some(overclosure) = overclosure {
                 row.opening = -overclosure;
             }
         }

@@ -253,3 +253,17 @@ fn what_a_profile_cannot_do_is_said() {
         "{said:?}"
     );
 }
+
+/// Requirement: before anything moves the gap that is told is that of the places of both profiles that are
+/// nearest: of a circle of radius 0.5 about (0, 0.5) over a line through (0.6, -1) and (4, 1), the distance of its
+/// centre less its radius. Source: geometry. Tolerance: places are found to 1e-9 of a segment.
+#[test]
+fn the_gap_at_the_start_is_that_of_the_nearest_places() {
+    let read = Job::read_text("profiles", &arm("NOSE, CATCH", 0.02), &ReadOptions::default());
+    let start =
+        slideline::initial_gaps(&read.model.unwrap(), &SolveOptions::default(), None).unwrap();
+    let nearest = start.points.iter().map(|row| row.opening).fold(f64::INFINITY, f64::min);
+    let way = [3.4_f64, 2.0];
+    let distance = (way[0] * 1.5 + way[1] * 0.6) / way[0].hypot(way[1]);
+    assert!((nearest - (distance - RADIUS)).abs() < 1e-9, "{nearest} {distance}");
+}

@@ -139,6 +139,32 @@ impl RigidSurface {
         self.overclosure(&Body::STILL, place)
     }
 
+    /// Largest overclosure of the places of another profile, both undeformed [L]; `None` where none of them
+    /// faces this one. Found among samples, then beside the best one.
+    pub fn overclosure_of(&self, profile: &Self) -> Option<f64> {
+        const SAMPLES: usize = 32;
+        let of_segment = |segment: &RigidSegment| {
+            let at = |parameter: f64| {
+                let overclosure = self.overclosure(&Body::STILL, raised(segment.place(parameter)));
+                overclosure.unwrap_or(f64::NEG_INFINITY)
+            };
+            let samples = (0..=SAMPLES).map(|k| k as f64 / SAMPLES as f64);
+            let best = samples.max_by(|&a, &b| at(a).total_cmp(&at(b))).unwrap_or(0.0);
+            let mut step = 0.5 / SAMPLES as f64;
+            let mut place = best;
+            while step > 1e-9 {
+                let beside = [place - step, place + step].map(|place| place.clamp(0.0, 1.0));
+                match beside.into_iter().find(|&other| at(other) > at(place)) {
+                    Some(better) => place = better,
+                    None => step *= 0.5,
+                }
+            }
+            at(place)
+        };
+        let most = profile.segments.iter().map(of_segment).fold(f64::NEG_INFINITY, f64::max);
+        most.is_finite().then_some(most)
+    }
+
     /// Overclosure of `point` (in space) alone [L], without derivatives; `None` where it faces
     /// nothing.
     pub fn overclosure(&self, body: &Body, point: [f64; 3]) -> Option<f64> {
