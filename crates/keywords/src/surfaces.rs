@@ -217,6 +217,8 @@ pub(crate) enum Adjusted {
 pub(crate) struct RigidBody {
     pub reference: Target,
     pub reference_span: Span,
+    /// Whether the card names it; CalculiX' need not.
+    pub has_reference: bool,
     /// `ROT NODE`: the node whose displacements are the rotation.
     pub turn: Option<(Target, Span)>,
     pub tied: Option<Named>,

@@ -3,6 +3,7 @@
 
 use slideline_deck::{Field, integer, parse_integer};
 use slideline_diag::{Code, Diagnostic};
+use slideline_model::Dialect;
 
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
@@ -20,7 +21,7 @@ impl Keyword for RigidBody {
 
     fn parameters(&self) -> &'static [Rule] {
         const RULES: &[Rule] = &[
-            Rule::required("REF NODE"),
+            Rule::value("REF NODE"),
             Rule::value("ANALYTICAL SURFACE"),
             Rule::value("TIE NSET"),
             Rule::value("ELSET"),
@@ -62,12 +63,23 @@ impl Keyword for RigidBody {
             draft.log.error("SL0205", message, card.span());
             return;
         }
-        let Some(reference) = node(card, "REF NODE", draft) else { return };
+        let has_reference = card.has("REF NODE");
+        let reference = match node(card, "REF NODE", draft) {
+            Some(reference) => reference,
+            None if has_reference => return,
+            None if draft.dialect == Dialect::Calculix => Target::Set(String::new()),
+            None => {
+                let message = "*RIGID BODY needs the parameter REF NODE=";
+                draft.log.error("SL0205", message, card.span());
+                return;
+            }
+        };
         let turn = node(card, "ROT NODE", draft).map(|node| (node, card.span_of("ROT NODE")));
         let (reference_span, origin) = (card.span_of("REF NODE"), card.span());
         draft.bodies.push(surfaces::RigidBody {
             reference,
-            reference_span,
+            reference_span: if has_reference { reference_span } else { origin },
+            has_reference,
             turn,
             tied,
             pinned,

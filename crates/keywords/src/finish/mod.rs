@@ -39,6 +39,7 @@ mod owners;
 mod point_masses;
 mod pre_tension;
 mod pressures;
+mod reference_nodes;
 mod remarks;
 mod requests;
 mod resting;
@@ -78,6 +79,7 @@ pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     draft.end_parts();
     nodes::sets(draft);
     nodes::elements(draft);
+    reference_nodes::reference_nodes(draft);
     let parted = pre_tension::cut(draft);
     rubber::rubbers(draft);
     thicknesses::of_nodes(draft);

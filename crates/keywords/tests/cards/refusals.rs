@@ -845,3 +845,22 @@ fn gaps_do_not_rub() {
     let said: Vec<_> = said.iter().map(|own| (own.code.0, own.message.as_str())).collect();
     assert_eq!(said, [("SL0221", "*FRICTION of *GAP is not supported: gaps do not rub")]);
 }
+
+/// Requirement: CalculiX' rigid body needs no reference node: one of its own stands in the middle of its
+/// nodes, above all labels, and a note says so; Abaqus' needs one.
+#[test]
+fn a_body_without_a_reference_node() {
+    let cards = format!("*RIGID BODY, NSET=RIGHT\n{}", step("*CLOAD\n6, 1, 1.0"));
+    assert_eq!(codes(&deck(&cards, &[]), A), ["SL0205"]);
+    let read = model(&deck(&cards, &[]), C);
+    let last = (0..read.nodes.len()).max_by_key(|&node| read.nodes.label(node)).unwrap();
+    let [third, sixth] = [3, 6].map(|label| read.nodes.position(read.nodes.find(label).unwrap()));
+    for axis in 0..3 {
+        let middle = 0.5 * (third[axis] + sixth[axis]);
+        assert!((read.nodes.position(last)[axis] - middle).abs() < 1e-14);
+    }
+    assert_eq!(read.rigid_links.iter().filter(|link| link.master == last).count(), 2);
+    let notes = interpret(&deck(&cards, &[]), C).diagnostics;
+    let said = |text: &str| notes.iter().any(|note| note.message.contains(text));
+    assert!(said("names no REF NODE"), "{notes:#?}");
+}
