@@ -91,6 +91,9 @@ fn gather_rows(
 fn gather(contact: &Contact, state: &State, segment: &SlaveSegment, gathered: &mut [Gathered]) {
     for k in segment.first..segment.first + SEGMENT_POINTS {
         let (integration_point, whole) = (&state.points[k], contact.points[k].area);
+        if let Some(place) = segment.place_on_profile(integration_point.xi, &state.displacement) {
+            gathered[segment.rows[0]].stand(integration_point, place);
+        }
         for (row, share) in
             segment.rows.into_iter().zip([1.0 - integration_point.xi, integration_point.xi])
         {
@@ -100,6 +103,14 @@ fn gather(contact: &Contact, state: &State, segment: &SlaveSegment, gathered: &m
 }
 
 impl Gathered {
+    /// The row of a profile stands where that is deepest or nearest.
+    fn stand(&mut self, integration_point: &PointState, place: [f64; 3]) {
+        let opening = integration_point.opening;
+        if opening.is_finite() && opening < self.row.opening {
+            self.row.position = place;
+        }
+    }
+
     fn add(&mut self, integration_point: &PointState, whole: f64, share: f64) {
         let row = &mut self.row;
         let force = share * integration_point.area * integration_point.pressure;

@@ -24,6 +24,8 @@ struct Watch {
     /// Reactions at the node of the nose, and its displacements.
     reactions: Vec<[f64; 3]>,
     places: Vec<[f64; 3]>,
+    /// Where contact stands, of the first row.
+    stands: Vec<[f64; 3]>,
     /// Forces along x at the root of the arm.
     roots: Vec<f64>,
     /// Moment of all forces about the origin, in the largest force times the size [1].
@@ -44,6 +46,7 @@ impl Observer for Watch {
                 let dofs = [Dof::U1, Dof::U2, Dof::UR3];
                 self.reactions.push(dofs.map(|dof| frame.nodal.reaction(own, dof)));
                 self.places.push(dofs.map(|dof| frame.nodal.displacement(own, dof)));
+                self.stands.extend(frame.contact.first().map(|row| row.position));
                 let root = frame.model.nodes.find(ROOT);
                 self.roots.extend(root.map(|root| frame.nodal.reaction(root, Dof::U1)));
                 let iterations = frame.severe_iterations + frame.equilibrium_iterations;
@@ -149,6 +152,11 @@ fn a_nose_on_a_plate() {
                 assert!(m.abs() < 1e-9 * force * unit, "{pair} {k}: moment {m:e} of {force}");
             }
             assert!(watch.imbalance < 1e-9 && watch.attempts_given_up == 0, "{}", watch.imbalance);
+            if turn == 0.0 {
+                // told near the lowest place of the nose, at (3, -1), not at its reference node
+                let [x, y, _] = watch.stands[3].map(|own| own / unit);
+                assert!((x - 3.0).abs() < 0.1 && (y + 1.0).abs() < 0.11, "{pair}: {x} {y}");
+            }
         }
     }
 }

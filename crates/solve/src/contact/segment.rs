@@ -200,6 +200,11 @@ impl SlaveSegment {
         ends
     }
 
+    /// Position at `xi` of a part of a profile [L]; none of a beam.
+    pub fn place_on_profile(&self, xi: f64, u: &[f64]) -> Option<[f64; 3]> {
+        matches!(self.line, Along::Profile(_)).then(|| self.line.placed(&self.ends(u)).position(xi))
+    }
+
     /// Corners of boxes about its line at displacements of both ends of a way.
     pub fn hull(&self, u: &[Vec<f64>; 2]) -> [[[f64; 3]; 4]; 2] {
         [0, 1].map(|end| self.line.corners(&self.dofs.map(|dof| u[end][dof])))
