@@ -67,7 +67,10 @@ impl Keyword for RigidBody {
         let reference = match node(card, "REF NODE", draft) {
             Some(reference) => reference,
             None if has_reference => return,
-            None if draft.dialect == Dialect::Calculix => Target::Set(String::new()),
+            // one stands in the middle of its nodes; a profile alone has none
+            None if draft.dialect == Dialect::Calculix && surface.is_none() => {
+                Target::Set(String::new())
+            }
             None => {
                 let message = "*RIGID BODY needs the parameter REF NODE=";
                 draft.log.error("SL0205", message, card.span());

@@ -852,6 +852,8 @@ fn gaps_do_not_rub() {
 fn a_body_without_a_reference_node() {
     let cards = format!("*RIGID BODY, NSET=RIGHT\n{}", step("*CLOAD\n6, 1, 1.0"));
     assert_eq!(codes(&deck(&cards, &[]), A), ["SL0205"]);
+    let profile = cards.replace("NSET=RIGHT", "ANALYTICAL SURFACE=P");
+    assert!(codes(&deck(&profile, &[]), C).contains(&"SL0205"));
     let read = model(&deck(&cards, &[]), C);
     let last = (0..read.nodes.len()).max_by_key(|&node| read.nodes.label(node)).unwrap();
     let [third, sixth] = [3, 6].map(|label| read.nodes.position(read.nodes.find(label).unwrap()));

@@ -29,7 +29,7 @@ const THREE: &[[f64; 3]] = &[
     [2.0 / 3.0, 1.0 / 6.0, 1.0 / 6.0],
     [1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0],
 ];
-/// Exact to the sixth degree: with one of the fourth, forces leapt by some 1e-5 of themselves where
+/// Exact to the sixth degree: with one of the fourth, forces leapt by up to 1e-4 of themselves where
 /// overlaps of faces that are no parallelograms were cut in another way. [dunavant1985]
 const TWELVE: &[[f64; 3]] = &[
     [0.063089014491502, 0.063089014491502, 0.025422453185103448],

@@ -152,7 +152,7 @@ fn bound(case: &Case, usual: f64) -> f64 {
 }
 
 /// The error of the rule where pieces of a face meet [1].
-const PIECES: f64 = 1e-3;
+const PIECES: f64 = 1e-4;
 
 /// Requirement: gradients written by hand are those of the integrals, for all kinds of faces, bent and
 /// covered in part. Tolerance: that of central differences.

@@ -154,7 +154,7 @@ fn forces_do_not_leap_as_edges_pass_edges() {
 
 /// Requirement: the same of faces that are no parallelograms, where overlaps that are cut in another way are
 /// integrated with another error. Tolerance: that of a rule of the sixth degree; one of the fourth leaps
-/// by ten times as much, more than what equilibrium allows.
+/// by 9e-5 here, more than what equilibrium allows.
 #[test]
 fn the_rule_does_not_leap_as_edges_pass_edges() {
     let mut random = Random(23);
