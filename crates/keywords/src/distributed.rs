@@ -1,6 +1,7 @@
 //! Distributed loads as cards give them.
 
 use slideline_diag::Span;
+use slideline_mech::traction::Follows;
 use slideline_model::Dialect;
 
 use crate::instances::Target;
@@ -11,10 +12,14 @@ use crate::surfaces::Named;
 pub(crate) struct Distributed {
     pub on: On,
     pub kind: Kind,
+    /// The face of the elements, from 0; of a surface all its faces.
+    pub face: Option<usize>,
     pub value: f64,
     pub amplitude: Option<(String, Span)>,
     /// Name of the axes in which its direction is given; `None`: those of the model.
     pub axes: Option<(String, Span)>,
+    /// What a traction does when its face moves.
+    pub follows: Follows,
     pub origin: Span,
 }
 
@@ -30,8 +35,8 @@ pub(crate) enum On {
 /// How it is loaded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Kind {
-    /// Pressure on a face, from 0; of a surface on all its faces.
-    Pressure(Option<usize>),
+    /// Pressure on a face, or along an axis of the section of a beam.
+    Pressure,
     /// Traction of this direction.
     Traction([f64; 3]),
     /// Traction along a face, where this direction points when it is laid onto it.
@@ -76,6 +81,12 @@ enum What {
 }
 
 impl Distributed {
+    /// A load as its line says it; what its card says is added.
+    pub fn new(on: On, (kind, face): (Kind, Option<usize>), value: f64, origin: Span) -> Self {
+        let follows = Follows { turns: true, grows: true };
+        Self { on, kind, face, value, amplitude: None, axes: None, follows, origin }
+    }
+
     /// Its key on an element, with the number of the face. CalculiX tells gravities and turnings
     /// apart by their directions, Abaqus by their labels alone.
     pub fn key(&self, face: usize, dialect: Dialect) -> Key {
@@ -83,7 +94,7 @@ impl Distributed {
         let bits =
             |vector: [f64; 3]| vector.map(|x| if directed { (x + 0.0).to_bits() } else { 0 });
         let what = match self.kind {
-            Kind::Pressure(_) => What::Pressure(face),
+            Kind::Pressure => What::Pressure(face),
             Kind::Traction(_) => What::Traction(face),
             Kind::Shear(_) => What::Shear(face),
             Kind::Line(axis) => What::Line(axis),

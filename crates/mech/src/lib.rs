@@ -29,6 +29,7 @@ pub mod rotation;
 pub mod section;
 pub mod section_load;
 pub mod surface;
+pub mod traction;
 pub mod turn;
 pub mod vector;
 pub mod volume;

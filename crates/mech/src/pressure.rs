@@ -10,7 +10,7 @@
 
 use crate::element::cell::{Cell, QUAD4, QUAD8, TRI3, TRI6, line3_shapes, line3_slopes};
 use crate::element::quadrature::{GAUSS_2, GAUSS_3, QUAD_4, QUAD_9, Quadrature, TRI_3};
-use crate::vector::{cross, dot};
+use crate::vector::cross;
 
 /// The most nodes of a face.
 pub const MOST_NODES: usize = 8;
@@ -35,10 +35,13 @@ pub enum Face {
 }
 
 /// Shape functions and slopes at a point, with its weight.
-struct At {
-    weight: f64,
-    shapes: [f64; MOST_NODES],
-    slopes: [[f64; 2]; MOST_NODES],
+pub(crate) struct At {
+    /// Weight of the rule, times the thickness or, of a ring, the circle of radius one.
+    pub weight: f64,
+    /// Shape functions [1].
+    pub shapes: [f64; MOST_NODES],
+    /// Their slopes by the coordinates of the face [1].
+    pub slopes: [[f64; 2]; MOST_NODES],
 }
 
 impl Face {
@@ -68,7 +71,7 @@ impl Face {
     }
 
     /// Where it is integrated.
-    fn points(&self) -> impl Iterator<Item = At> + '_ {
+    pub(crate) fn points(&self) -> impl Iterator<Item = At> + '_ {
         let count = match self {
             Self::Edge { nodes, .. } | Self::Ring { nodes } => *nodes,
             Self::Area(_, rule) => rule.points.len(),
@@ -108,30 +111,6 @@ impl Face {
                 own.iter_mut().zip(traction).for_each(|(f, t)| *f += factor * t);
             }
         }
-    }
-
-    /// Forces of a traction of size one along the face, where a unit vector, given at each place, points
-    /// when it is laid onto it; false where it stands across at a point. Adds to `force` [L2],
-    /// docs/theory.md eq. (4.8).
-    pub fn rub(
-        &self,
-        along: impl Fn([f64; 3]) -> [f64; 3],
-        x: &[[f64; 3]],
-        force: &mut [[f64; 3]],
-    ) -> bool {
-        self.points().all(|at| {
-            let along = along(place(&at, x));
-            let normal = self.normal(&at, x);
-            let area = dot(normal, normal).sqrt();
-            let part = dot(normal, along) / (area * area);
-            let laid: [f64; 3] = std::array::from_fn(|k| along[k] - part * normal[k]);
-            let size = dot(laid, laid).sqrt();
-            for (own, shape) in force.iter_mut().zip(at.shapes) {
-                let factor = at.weight * shape * area / size;
-                own.iter_mut().zip(laid).for_each(|(f, t)| *f += factor * t);
-            }
-            size > ACROSS
-        })
     }
 
     /// Outward normal times the area of a point of the reference cell.
@@ -182,11 +161,12 @@ impl Face {
 }
 
 /// Distance of a point of a ring from the second axis [L].
-fn radius(at: &At, x: &[[f64; 3]]) -> f64 {
+pub(crate) fn radius(at: &At, x: &[[f64; 3]]) -> f64 {
     at.shapes.iter().zip(x).map(|(shape, x)| shape * x[0]).sum()
 }
 
-fn place(at: &At, x: &[[f64; 3]]) -> [f64; 3] {
+/// Where a point of a face is [L].
+pub(crate) fn place(at: &At, x: &[[f64; 3]]) -> [f64; 3] {
     std::array::from_fn(|k| at.shapes.iter().zip(x).map(|(shape, x)| shape * x[k]).sum())
 }
 
@@ -212,7 +192,7 @@ impl Face {
         for _ in 0..30 {
             let here = self.at(at);
             let [a, b] = tangents(&here, x);
-            let away: [f64; 3] = std::array::from_fn(|k| point[k] - position(&here, x)[k]);
+            let away: [f64; 3] = std::array::from_fn(|k| point[k] - place(&here, x)[k]);
             let dot = |u: [f64; 3], v: [f64; 3]| u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
             let (aa, ab, bb) = (dot(a, a), dot(a, b), dot(b, b));
             let (ra, rb) = (dot(a, away), dot(b, away));
@@ -234,9 +214,9 @@ impl Face {
             }
         }
         let here = self.at(at);
-        let place = position(&here, x);
-        let distance = (0..3).map(|k| (point[k] - place[k]).powi(2)).sum::<f64>().sqrt();
-        Nearest { shapes: here.shapes, place, distance }
+        let foot = place(&here, x);
+        let distance = (0..3).map(|k| (point[k] - foot[k]).powi(2)).sum::<f64>().sqrt();
+        Nearest { shapes: here.shapes, place: foot, distance }
     }
 
     /// Shape functions and slopes at coordinates of the face.
@@ -262,14 +242,6 @@ impl Face {
     }
 }
 
-fn position(at: &At, x: &[[f64; 3]]) -> [f64; 3] {
-    let mut place = [0.0; 3];
-    for (x, shape) in x.iter().zip(at.shapes) {
-        place.iter_mut().zip(x).for_each(|(place, x)| *place += shape * x);
-    }
-    place
-}
-
 fn area_at(cell: &Cell, place: &[f64; 3], weight: f64) -> At {
     let (mut shapes, mut slopes) = ([0.0; MOST_NODES], [[0.0; 3]; MOST_NODES]);
     (cell.shapes)(place, &mut shapes[..cell.nodes]);
@@ -290,7 +262,7 @@ fn edge_at(nodes: usize, xi: f64, weight: f64) -> At {
 }
 
 /// Slopes of the position by the coordinates of the face.
-fn tangents(at: &At, x: &[[f64; 3]]) -> [[f64; 3]; 2] {
+pub(crate) fn tangents(at: &At, x: &[[f64; 3]]) -> [[f64; 3]; 2] {
     let mut tangents = [[0.0; 3]; 2];
     for (x, slope) in x.iter().zip(at.slopes) {
         for (tangent, slope) in tangents.iter_mut().zip(slope) {
@@ -309,9 +281,6 @@ fn edge_point(nodes: usize, point: usize, thickness: f64) -> At {
     let (xi, weight) = gauss[point];
     edge_at(nodes, xi, weight * thickness)
 }
-
-/// What of a unit vector lies along a face, below which it stands across but for rounding [1].
-const ACROSS: f64 = 1e-8;
 
 #[cfg(test)]
 mod tests;

@@ -3,6 +3,7 @@
 use crate::node::{Dof, NodeIndex};
 use slideline_diag::Span;
 use slideline_mech::pressure::Face;
+use slideline_mech::traction::Traction;
 
 /// A concentrated load, or a share of a distributed one.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,7 +26,7 @@ pub struct Load {
 /// What is spread over faces and volumes.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Distributed {
-    /// Pressures, which follow their faces where the kinematics are nonlinear.
+    /// Pressures and tractions, which follow their faces where the kinematics are nonlinear.
     pub pressures: Vec<Pressure>,
     /// Forces of fixed direction, already on the nodes; several may act on a node.
     pub forces: Vec<Load>,
@@ -36,20 +37,22 @@ pub struct Distributed {
 pub enum Pressed {
     /// A face; the pressure stays across it.
     Face(Face),
+    /// A face that a traction pulls at.
+    Traction(Traction),
     /// A beam: the pressure is a force per length along an axis of its sections and turns with them.
     /// For every node the integral of its shape function times that axis, undeformed [L].
     Sections(Vec<[f64; 3]>),
 }
 
-/// A pressure on a face, or a force per length that turns with a beam.
+/// A pressure or a traction on a face, or a force per length that turns with a beam.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pressure {
     /// What it acts on.
     pub on: Pressed,
     /// Its nodes.
     pub nodes: Vec<NodeIndex>,
-    /// Value at the end of the step [F/L2], of a beam [F/L], positive towards the face; with an amplitude, its
-    /// factor.
+    /// Value at the end of the step [F/L2], of a beam [F/L], of a pressure positive towards the face; with an
+    /// amplitude, its factor.
     pub value: f64,
     /// Amplitude by place in the model's list; without one the value is approached linearly from
     /// that of the pressure it continues, or from zero.

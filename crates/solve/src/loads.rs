@@ -1,4 +1,4 @@
-//! Pressures that follow their faces, and forces per length that turn with beams.
+//! Pressures and tractions that follow their faces, and forces per length that turn with beams.
 //!
 //! ```text
 //!     p |||        o---o   forces at the current shape, their derivative in the tangent
@@ -10,19 +10,27 @@ use crate::dofs::DofMap;
 use crate::section_loads::SectionLoad;
 use slideline_linalg::{Kind, Pattern};
 use slideline_mech::pressure::{Face, MOST_NODES};
+use slideline_mech::traction::Traction;
 use slideline_mech::turn::Turn;
 use slideline_model::{self as model, Dof, Model, NodeIndex, Step};
 
 /// A face with its dofs.
 #[derive(Clone, Debug)]
 struct Pressed {
-    face: Face,
+    by: By,
     /// Undeformed positions [L].
     reference: Vec<[f64; 3]>,
     /// Displacements, node by node; `None` where a node lacks one.
     dofs: Vec<[Option<usize>; 3]>,
     /// Those that there are, and their places among all of the face.
     own: (Vec<usize>, Vec<usize>),
+}
+
+/// What acts on a face.
+#[derive(Clone, Debug)]
+enum By {
+    Pressure(Face),
+    Traction(Traction),
 }
 
 /// What a load follows.
@@ -42,12 +50,31 @@ pub struct FaceLoads {
     nonlinear: bool,
 }
 
+impl Pressed {
+    /// Forces on the nodes at `x` [L]: adds to `force` [F].
+    fn press(&self, size: f64, x: &[[f64; 3]], force: &mut [[f64; 3]]) {
+        match &self.by {
+            By::Pressure(face) => face.press(size, x, force),
+            By::Traction(traction) => traction.pull(size, [&self.reference, x], force),
+        }
+    }
+
+    /// Their derivative by the positions: adds to `tangent` [F/L].
+    fn stiffness(&self, size: f64, x: &[[f64; 3]], tangent: &mut [f64]) {
+        match &self.by {
+            By::Pressure(face) => face.stiffness(size, x, tangent),
+            By::Traction(traction) => traction.stiffness(size, [&self.reference, x], tangent),
+        }
+    }
+}
+
 impl FaceLoads {
     /// Those of a step.
     pub fn new(model: &Model, step: &Step, dofs: &DofMap) -> Self {
         let faces = step.distributed.pressures.iter().map(|load| {
-            let face = match &load.on {
-                model::Pressed::Face(face) => *face,
+            let by = match &load.on {
+                model::Pressed::Face(face) => By::Pressure(*face),
+                model::Pressed::Traction(traction) => By::Traction(traction.clone()),
                 model::Pressed::Sections(shares) => {
                     return Followed::Sections(SectionLoad::new(&load.nodes, shares, dofs));
                 }
@@ -59,7 +86,7 @@ impl FaceLoads {
             let all = dofs.as_flattened().iter().enumerate();
             let own = all.filter_map(|(place, dof)| Some(((*dof)?, place))).unzip();
             let reference = load.nodes.iter().map(place).collect();
-            Followed::Face(Pressed { face, reference, dofs, own })
+            Followed::Face(Pressed { by, reference, dofs, own })
         });
         Self { faces: faces.collect(), nonlinear: step.nlgeom }
     }
@@ -80,7 +107,7 @@ impl FaceLoads {
         x
     }
 
-    /// Forces of these pressures [F/L2 or F/L] on the dofs [F]: adds to `force`.
+    /// Forces of these pressures and tractions [F/L2 or F/L] on the dofs [F]: adds to `force`.
     pub fn press(&self, pressures: &[f64], (u, turns): (&[f64], &[Turn]), force: &mut [f64]) {
         for (followed, &pressure) in self.faces.iter().zip(pressures) {
             let pressed = match followed {
@@ -93,7 +120,7 @@ impl FaceLoads {
             let count = pressed.reference.len();
             let mut own = [[0.0; 3]; MOST_NODES];
             let x = self.places(pressed, u);
-            pressed.face.press(pressure, &x[..count], &mut own[..count]);
+            pressed.press(pressure, &x[..count], &mut own[..count]);
             for (dofs, own) in pressed.dofs.iter().zip(own) {
                 for (dof, own) in dofs.iter().zip(own) {
                     if let Some(dof) = *dof {
@@ -140,7 +167,7 @@ impl FaceLoads {
             let x = self.places(pressed, u);
             let tangent = &mut room[..width * width];
             tangent.fill(0.0);
-            pressed.face.stiffness(pressure, &x[..count], tangent);
+            pressed.stiffness(pressure, &x[..count], tangent);
             let (dofs, own) = &pressed.own;
             let entry = |i: usize, j: usize| -> f64 {
                 let (i, j) = (own[i], own[j]);

@@ -202,7 +202,7 @@ impl<'a> Problem<'a> {
         });
     }
 
-    /// Takes the derivative of the forces of pressures on faces and beams from the tangent.
+    /// Takes the derivative of the forces of pressures and tractions on faces and beams from the tangent.
     pub fn stiffen_by_faces(&self, rows: &Rows, at: (&[f64], &[f64], &[Turn]), values: &mut [f64]) {
         self.faces.stiffen((self.constraints, self.pattern, self.kind()), rows, at, values);
     }
@@ -220,8 +220,8 @@ impl<'a> Problem<'a> {
     }
 }
 
-/// The symmetry of the tangent of a step: none where there is friction, a pressure that follows its
-/// face, softened contact spread over faces, or a moment about a fixed axis in space, unless the deck says otherwise.
+/// The symmetry of the tangent of a step: none where there is friction, a pressure or traction that follows
+/// its face, softened contact spread over faces, or a moment about a fixed axis in space, unless the deck says otherwise.
 pub fn kind(model: &Model, step: &Step, contact: &Contact) -> Kind {
     let rubs = || contact.laws.iter().any(Laws::has_friction);
     let unsymmetric = || follows(model, step) || rubs() || contact.has_soft_mortar();

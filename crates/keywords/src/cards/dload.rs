@@ -2,6 +2,7 @@
 
 use slideline_deck::{DataLine, normalise};
 use slideline_diag::{Code, Diagnostic};
+use slideline_mech::traction::Follows;
 
 use crate::distributed::{Along, Distributed, Kind, On};
 use crate::draft::Draft;
@@ -17,8 +18,14 @@ impl Keyword for Dload {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] =
-            &[Rule::value("OP"), Rule::value("AMPLITUDE"), Rule::value("TIME DELAY")];
+        const RULES: &[Rule] = &[
+            Rule::value("OP"),
+            Rule::value("AMPLITUDE"),
+            Rule::value("TIME DELAY"),
+            Rule::value("ORIENTATION"),
+            Rule::value("FOLLOWER"),
+            Rule::value("CONSTANT RESULTANT"),
+        ];
         RULES
     }
 
@@ -48,17 +55,42 @@ pub(super) fn take(
     let new = card.choice("OP", &["MOD", "NEW"], &mut draft.log) == Some("NEW");
     let amplitude = crate::curves::of_card(card, draft);
     let axes = card.name("ORIENTATION").map(|name| (name, card.span_of("ORIENTATION")));
+    let stays = card.yes("FOLLOWER", &mut draft.log) == Some(false);
+    let undeformed = card.yes("CONSTANT RESULTANT", &mut draft.log) == Some(true);
     let mut lines = Vec::new();
     for line in card.data() {
         if let Some(mut load) = line_of(line, draft) {
             load.amplitude.clone_from(&amplitude);
             load.axes.clone_from(&axes);
+            // along a surface a traction can only stay if it turns with it
+            let turns = !stays || matches!(load.kind, Kind::Shear(_));
+            load.follows = Follows { turns, grows: !undeformed };
             lines.push(load);
         }
     }
+    without_effect(card, (stays, undeformed), &lines, draft);
     if let Some(step) = draft.step() {
         step.new_distributed[usize::from(card.keyword.name == "DSLOAD")] |= new;
         step.distributed.extend(lines);
+    }
+}
+
+/// Notes what a card says of tractions where its loads do not ask.
+fn without_effect(
+    card: &Reading<'_>,
+    (stays, undeformed): (bool, bool),
+    lines: &[Distributed],
+    draft: &mut Draft,
+) {
+    let is = |kind: fn(&Kind) -> bool| lines.iter().any(|own| kind(&own.kind));
+    if stays && is(|kind| matches!(kind, Kind::Shear(_))) {
+        let message = "FOLLOWER=NO does not concern TRSHR: along its surface it turns with it";
+        draft.log.note("SL0253", message, card.span_of("FOLLOWER"));
+    }
+    if (stays || undeformed) && is(|kind| *kind == Kind::Pressure) {
+        let name = if stays { "FOLLOWER" } else { "CONSTANT RESULTANT" };
+        let message = format!("{name} concerns tractions: a pressure follows its faces");
+        draft.log.note("SL0253", message, card.span_of(name));
     }
 }
 
@@ -71,6 +103,7 @@ fn line_of(line: &DataLine, draft: &mut Draft) -> Option<Distributed> {
     };
     let span = line.fields.first().map_or(line.span, |field| field.span);
     let value = draft.log.number(line, 2, "the size of the load")?;
+    let mut face = None;
     let kind = match label.as_str() {
         "BX" | "BY" | "BZ" | "BR" => {
             draft.log.at_most(line, 3);
@@ -90,31 +123,47 @@ fn line_of(line: &DataLine, draft: &mut Draft) -> Option<Distributed> {
             let point = [3, 4, 5].map(|at| draft.log.number_or(line, at, 0.0));
             Kind::Centrifugal([point[0]?, point[1]?, point[2]?], direction(line, 6, draft)?)
         }
-        _ => match label.strip_prefix('P').and_then(|face| face.parse::<usize>().ok()) {
-            Some(face @ 1..=6) => {
-                draft.log.at_most(line, 3);
-                Kind::Pressure(Some(face - 1))
-            }
-            Some(face) => {
-                let message = format!("no element has a face {face}");
-                let span = line.fields.get(1).map_or(line.span, |field| field.span);
-                let error = Diagnostic::error(Code("SL0256"), message).at(span);
-                let help = "faces are 1 to 3 or 4 in the plane, 1 to 4 of tetrahedra, to 5 of wedges, \
-                            to 6 of bricks";
-                draft.log.push(error.help(help));
-                return None;
-            }
-            None => {
-                unknown(line, "P1 to P6, PX, PY, PZ, BX, BY, BZ, BR, GRAV, CENTRIF", draft);
-                return None;
-            }
-        },
+        _ => {
+            let (kind, number) = on_face(&label, line, draft)?;
+            face = Some(number);
+            kind
+        }
     };
     let on = match target {
         Some(target) => On::Elements(target, span),
         None => On::Elements(crate::log::Target::Set(String::new()), span),
     };
-    Some(Distributed { on, kind, value, amplitude: None, axes: None, origin: line.span })
+    Some(Distributed::new(on, (kind, face), value, line.span))
+}
+
+/// A load on one face of every element, and that face, from 0.
+fn on_face(label: &str, line: &DataLine, draft: &mut Draft) -> Option<(Kind, usize)> {
+    let numbered = |word: &str| label.strip_prefix(word)?.parse::<usize>().ok();
+    let found = ["P", "TRVEC", "TRSHR"].into_iter().find_map(|word| Some((word, numbered(word)?)));
+    let Some((word, face)) = found else {
+        let known = "P1 to P6, TRVEC1 to TRVEC6, TRSHR1 to TRSHR6, PX, PY, PZ, BX, BY, BZ, BR, GRAV, \
+                     CENTRIF";
+        unknown(line, known, draft);
+        return None;
+    };
+    if !(1..=6).contains(&face) {
+        let message = format!("no element has a face {face}");
+        let span = line.fields.get(1).map_or(line.span, |field| field.span);
+        let error = Diagnostic::error(Code("SL0256"), message).at(span);
+        let help = "faces are 1 to 3 or 4 in the plane, 1 to 4 of tetrahedra, to 5 of wedges, \
+                    to 6 of bricks";
+        draft.log.push(error.help(help));
+        return None;
+    }
+    let kind = match word {
+        "TRVEC" => Kind::Traction(direction(line, 3, draft)?),
+        "TRSHR" => Kind::Shear(direction(line, 3, draft)?),
+        _ => {
+            draft.log.at_most(line, 3);
+            Kind::Pressure
+        }
+    };
+    Some((kind, face - 1))
 }
 
 pub(super) fn unknown(line: &DataLine, known: &str, draft: &mut Draft) {

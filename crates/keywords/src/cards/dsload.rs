@@ -42,16 +42,6 @@ impl Keyword for Dsload {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
-        let follower = card.yes("FOLLOWER", &mut draft.log);
-        let undeformed = card.yes("CONSTANT RESULTANT", &mut draft.log);
-        let said = follower == Some(false) && undeformed != Some(false);
-        let pulls = |line: &DataLine| {
-            line.field(1).is_some_and(|f| ["TRVEC", "TRSHR"].contains(&&*normalise(&f.text)))
-        };
-        if !said && card.data().iter().any(pulls) {
-            let message = "tractions keep their direction and the undeformed area here";
-            draft.log.note("SL0253", message, card.span());
-        }
         take(card, line_of, draft);
     }
 }
@@ -65,7 +55,7 @@ fn line_of(line: &DataLine, draft: &mut Draft) -> Option<Distributed> {
     let kind = match label.as_str() {
         "P" => {
             draft.log.at_most(line, 3);
-            Kind::Pressure(None)
+            Kind::Pressure
         }
         "TRVEC" => Kind::Traction(direction(line, 3, draft)?),
         "TRSHR" => Kind::Shear(direction(line, 3, draft)?),
@@ -76,5 +66,5 @@ fn line_of(line: &DataLine, draft: &mut Draft) -> Option<Distributed> {
     };
     let value = draft.log.number(line, 2, "the size of the load")?;
     let on = On::Surface(Named { name: normalise(&field.text), span: field.span });
-    Some(Distributed { on, kind, value, amplitude: None, axes: None, origin: line.span })
+    Some(Distributed::new(on, (kind, None), value, line.span))
 }

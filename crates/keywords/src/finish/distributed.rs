@@ -1,11 +1,13 @@
-//! Loads on faces and volumes: pressures stay pressures, the rest becomes forces on nodes.
+//! Loads on faces and volumes: pressures and tractions stay what they are, the rest becomes forces on
+//! nodes.
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::element::quadrature::Quadrature;
 use slideline_mech::orientation::{Basis, Orientation};
 use slideline_mech::pressure::Face;
+use slideline_mech::traction::{Follows, Traction};
 use slideline_mech::volume;
-use slideline_model::{Dialect, ElementType, Kinematics, Pressed};
+use slideline_model::{Dialect, ElementType, Kinematics, NodeIndex, Pressed};
 
 use super::faces::{self, SolidFace, face_nodes};
 use super::load_forces::{
@@ -20,11 +22,11 @@ use crate::rule::Subject;
 
 /// What a line loads.
 pub(super) fn resolve(line: &Distributed, draft: &mut Draft) -> Resolved {
-    match (&line.on, line.kind) {
-        (On::Elements(target, span), Kind::Pressure(Some(face))) => {
+    match (&line.on, line.face) {
+        (On::Elements(target, span), Some(face)) => {
             let (mut all, mut across) = (Vec::new(), Resolved::new());
             for index in elements(target, *span, draft) {
-                if is_loaded_beam(index, draft) && face < 2 {
+                if line.kind == Kind::Pressure && is_loaded_beam(index, draft) && face < 2 {
                     across.extend(on_section(index, face, line, draft));
                     continue;
                 }
@@ -131,25 +133,34 @@ fn on_face(own: &SolidFace, line: &Distributed, draft: &mut Draft) -> Option<((u
         refuse("takes no load out of its plane", row.name(), row.is_ring(), line, draft);
         return None;
     }
-    let what = match line.kind {
-        Kind::Traction(direction) => {
-            let x = places(&own.nodes, draft);
-            let mut forces = vec![[0.0; 3]; x.len()];
-            face.pull(|at| in_axes(axes.as_ref(), at, direction), &x, &mut forces);
-            What::Forces(shares(&own.nodes, &forces, draft))
-        }
-        Kind::Shear(direction) => {
-            let x = places(&own.nodes, draft);
-            let mut forces = vec![[0.0; 3]; x.len()];
-            if !face.rub(|at| in_axes(axes.as_ref(), at, direction), &x, &mut forces) {
+    let x = places(&own.nodes, draft);
+    let along = |direction| move |at| in_axes(axes.as_ref(), at, direction);
+    let traction = match line.kind {
+        Kind::Traction(given) => Traction::new(face, line.follows, &x, along(given)),
+        Kind::Shear(given) => match Traction::along(face, line.follows, &x, along(given)) {
+            Some(traction) => traction,
+            None => {
                 across(line, draft);
                 return None;
             }
-            What::Forces(shares(&own.nodes, &forces, draft))
+        },
+        _ => {
+            let what = What::Pressure(Pressed::Face(face), own.nodes.clone());
+            return Some(((own.element, line.key(number, draft.dialect)), what));
         }
-        _ => What::Pressure(Pressed::Face(face), own.nodes.clone()),
     };
+    let what = pulled(traction, &own.nodes, &x, draft);
     Some(((own.element, line.key(number, draft.dialect)), what))
+}
+
+/// A traction on a face with nodes at `x`; one that follows in no way is forces that stay.
+fn pulled(traction: Traction, nodes: &[NodeIndex], x: &[[f64; 3]], draft: &Draft) -> What {
+    if traction.follows() != (Follows { turns: false, grows: false }) {
+        return What::Pressure(Pressed::Traction(traction), nodes.to_vec());
+    }
+    let mut forces = vec![[0.0; 3]; x.len()];
+    traction.pull(1.0, [x, x], &mut forces);
+    What::Forces(shares(nodes, &forces, draft))
 }
 
 /// The axes in which the direction of a load is given: `Some(None)` without, `None` after an error.
@@ -197,7 +208,7 @@ fn leaves(kind: Kind, row: &ElementType, dialect: Dialect) -> Option<&'static st
         return matches!(kind, Kind::Body(Along::Radius)).then_some("has no radius");
     }
     match kind {
-        Kind::Pressure(_) => None,
+        Kind::Pressure => None,
         Kind::Line(along) => (along == 2).then_some("takes no load out of its plane"),
         Kind::Body(along) if axis(along, row, dialect).is_some() => None,
         Kind::Body(Along::Radius) => Some("has no radius"),

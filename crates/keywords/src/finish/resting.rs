@@ -80,7 +80,12 @@ impl InForce {
         for (entry, before) in self.standing.iter() {
             first.push(entry.place(&loads));
             let before = before.map(|before| (&before.load, self.first[before.place]));
-            entry.add(before, at_once, &mut loads);
+            entry.add(before.filter(|(old, _)| entry.goes_on_from(old)), at_once, &mut loads);
+            // a traction of another direction leaves along its own
+            let leaves = entry.amplitude.is_none() && !at_once;
+            if let Some(other) = before.filter(|(old, _)| leaves && !entry.goes_on_from(old)) {
+                other.0.ramped_off().add(Some(other), at_once, &mut loads);
+            }
         }
         for before in leaving.iter().filter(|_| !at_once) {
             let old = (&before.load, self.first[before.place]);
@@ -116,6 +121,15 @@ impl Entry {
         match *self.what {
             What::Pressure(..) => loads.pressures.len(),
             What::Forces(_) => loads.forces.len(),
+        }
+    }
+
+    /// Whether it differs from another load in its size alone, or in the forces on its nodes.
+    fn goes_on_from(&self, old: &Self) -> bool {
+        match (&*self.what, &*old.what) {
+            (What::Pressure(own, _), What::Pressure(old, _)) => own == old,
+            (What::Forces(_), What::Forces(_)) => true,
+            _ => false,
         }
     }
 

@@ -51,11 +51,6 @@ fn what_the_page_names_is_refused() {
         ("linear buckling", HISTORY, "*BUCKLE\n*END STEP"),
         ("(Riks)", "*STATIC", "*STATIC, RIKS"),
         (
-            "tractions that turn",
-            HISTORY,
-            "*DSLOAD, FOLLOWER=YES\nBEAM, TRVEC, 1.0, 1.0, 0.0\n*END STEP",
-        ),
-        (
             "`INTERFERENCE FIT`",
             MODEL,
             "*CONTACT INITIALIZATION DATA, NAME=A, INTERFERENCE FIT\n*STEP",

@@ -195,6 +195,44 @@ fn loads_along_beams() {
     assert_eq!(codes(&deck("B, P3, 2.0", ""), A), ["SL0256"]);
 }
 
+/// Requirement: tractions on a face of elements are those on a surface of these faces; faces that are
+/// not there and tractions of user subroutines are refused, and what their card says of other loads
+/// is told. Source: Abaqus manual, `*DLOAD`, `*DSLOAD`.
+#[test]
+fn tractions_on_faces() {
+    let pulled = |load: &str| model(&deck(&step(load), &[]), A).steps[0].distributed.clone();
+    for how in ["", ", FOLLOWER=NO", ", FOLLOWER=NO, CONSTANT RESULTANT=YES"] {
+        for kind in ["TRVEC", "TRSHR"] {
+            let surface = pulled(&format!("*DSLOAD{how}\nTOP, {kind}, 2.0, 0.8, 0.6, 0.0"));
+            let faces = pulled(&format!("*DLOAD{how}\nALL, {kind}3, 2.0, 0.8, 0.6, 0.0"));
+            let on = |own: &slideline_model::Distributed| {
+                own.pressures.iter().map(|own| (own.on.clone(), own.nodes.clone())).collect()
+            };
+            let [one, other]: [Vec<_>; 2] = [on(&surface), on(&faces)];
+            assert_eq!(one, other, "{how} {kind}");
+            assert_eq!(surface.forces.len(), faces.forces.len(), "{how} {kind}");
+        }
+    }
+    for (load, code) in [
+        ("*DLOAD\nALL, TRVEC7, 1.0, 1.0", "SL0256"),
+        ("*DLOAD\nALL, TRVEC3NU, 1.0, 1.0", "SL0221"),
+        ("*DSLOAD\nTOP, TRVECNU, 1.0, 1.0", "SL0221"),
+        ("*DLOAD\nALL, TRVEC3, 1.0", "SL0232"),
+        ("*DLOAD\nALL, TRSHR3, 1.0, 0.0, 1.0", "SL0232"),
+        ("*DLOAD\nALL, TRVEC3, 1.0, 0.0, 0.0, 1.0", "SL0251"),
+    ] {
+        assert_eq!(codes(&deck(&step(load), &[]), A), [code], "{load}");
+    }
+    for load in [
+        "*DSLOAD, FOLLOWER=NO\nTOP, TRSHR, 1.0, 1.0",
+        "*DSLOAD, FOLLOWER=NO\nTOP, P, 1.0",
+        "*DLOAD, CONSTANT RESULTANT=YES\nALL, P3, 1.0",
+    ] {
+        let said = interpret(&deck(&step(load), &[]), A).diagnostics;
+        assert!(said.iter().any(|own| own.code.0 == "SL0253"), "{load} {said:?}");
+    }
+}
+
 /// Requirement: gravity that finds no mass, or cubic beams, is refused.
 #[test]
 fn gravity_needs_mass() {
@@ -262,7 +300,7 @@ fn material_cards_do_not_clash() {
 /// by their directions and has one list. Source: both manuals, `*CLOAD`, `*DLOAD`, `*DSLOAD`.
 #[test]
 fn loads_are_known_by_their_kind() {
-    let first = "*DLOAD\nALL, GRAV, 2.0, 0.0, -1.0, 0.0\nALL, BX, 5.0\nA, P3, 7.0\n*DSLOAD\nTOP, TRVEC, 1.0, 1.0, 0.0, 0.0\nTOP, P, 11.0\n";
+    let first = "*DLOAD\nALL, GRAV, 2.0, 0.0, -1.0, 0.0\nALL, BX, 5.0\nA, P3, 7.0\n*DSLOAD, FOLLOWER=NO, CONSTANT RESULTANT=YES\nTOP, TRVEC, 1.0, 1.0, 0.0, 0.0\nTOP, P, 11.0\n";
     let two = |second: &str, dialect| {
         model(&deck(&format!("{}{}", step(first), step(second)), &[]), dialect)
     };

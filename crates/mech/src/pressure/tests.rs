@@ -106,29 +106,6 @@ fn a_ring_bears_on_its_circle() {
     }
 }
 
-/// Requirement: a traction along a face has the size of its area and the direction laid onto it,
-/// at every point of a bent one; a direction across the face has none. Tolerance: rounding.
-#[test]
-fn a_traction_along_a_face() {
-    let quad = Face::Area(&QUAD8, &QUAD_9);
-    let slope = 0.75; // the face rises along x: tangent (4, 0, 3)/5, area 4 * 5/4
-    let x: Vec<_> = QUAD8.places.iter().map(|&[a, b, _]| [a, b, slope * a]).collect();
-    let mut force = [[0.0; 3]; 8];
-    assert!(quad.rub(|_| [1.0, 0.0, 0.0], &x, &mut force));
-    let sums = [0, 1, 2].map(|k| force.iter().map(|f| f[k]).sum::<f64>());
-    for (sum, exact) in sums.into_iter().zip([4.0, 0.0, 3.0]) {
-        assert!((sum - exact).abs() < 1e-13, "{sums:?}");
-    }
-    assert!(!quad.rub(|_| [-0.6, 0.0, 0.8], &x, &mut force));
-    // an arc of three nodes: along it all the way
-    let arc = Face::of(2, 3, 1.0).unwrap_or(quad);
-    let x = [[-1.0, 0.0, 0.0], [0.0, 0.5, 0.0], [1.0, 0.0, 0.0]];
-    let mut force = [[0.0; 3]; 3];
-    assert!(arc.rub(|_| [1.0, 0.0, 0.0], &x, &mut force));
-    let sums = [0, 1].map(|k| force.iter().map(|f| f[k]).sum::<f64>());
-    assert!((sums[0] - 2.0).abs() < 1e-13 && sums[1].abs() < 1e-13, "{sums:?}");
-}
-
 /// Requirement: on flat faces the sum is pressure times area, inwards.
 #[test]
 fn sums_are_pressure_times_area() {

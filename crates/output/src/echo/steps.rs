@@ -2,6 +2,7 @@
 
 use super::contact::normal_law;
 use super::words::{extremes, named, number, range};
+use slideline_mech::traction::Follows;
 use slideline_model::{Load, Model, NodeIndex, Prescribed, Pressed, Step};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -78,13 +79,14 @@ fn distributed(text: &mut String, model: &Model, step: &Step) {
         line!(
             text,
             "  {} {} {} to {}{}",
-            match row[0].on {
+            match &row[0].on {
                 Pressed::Face(_) => "pressure on",
+                Pressed::Traction(own) => traction(own.follows()),
                 Pressed::Sections(_) => "force per length, which turns with its sections, on",
             },
             row.len(),
             match row[0].on {
-                Pressed::Face(_) => "faces goes",
+                Pressed::Face(_) | Pressed::Traction(_) => "faces goes",
                 Pressed::Sections(_) => "beam elements goes",
             },
             range(least, most),
@@ -105,6 +107,16 @@ fn distributed(text: &mut String, model: &Model, step: &Step) {
             sum.map(|sum| number(sum).to_string()).join(", "),
             amplitude(model, row[0].amplitude)
         );
+    }
+}
+
+/// What a traction does when its face moves.
+fn traction(follows: Follows) -> &'static str {
+    match (follows.turns, follows.grows) {
+        (true, true) => "traction, which turns with its faces, on",
+        (true, false) => "traction, which turns with its faces, per undeformed area on",
+        (false, true) => "traction, which keeps its direction, on",
+        (false, false) => "traction, which keeps its direction, per undeformed area on",
     }
 }
 

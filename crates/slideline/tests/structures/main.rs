@@ -23,4 +23,5 @@ mod solids;
 mod space_beams;
 mod stabilisation;
 mod temperatures;
+mod tractions;
 mod transform;
