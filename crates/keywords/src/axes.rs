@@ -3,6 +3,9 @@
 use slideline_diag::Span;
 use slideline_model::System;
 
+use crate::instances::Target;
+use crate::motion::Motion;
+
 /// `*TRANSFORM`.
 #[derive(Clone, Debug)]
 pub(crate) struct Transform {
@@ -32,6 +35,29 @@ pub(crate) enum Given {
     Nodes(&'static str, [Option<u64>; 3]),
     /// Nodes of the element, from 0.
     Own([usize; 3]),
+    /// The name of the system, and that of a `*DISTRIBUTION` that has the points a and b of every element.
+    Distribution(&'static str, String),
+}
+
+/// `*DISTRIBUTION`: numbers of every element.
+#[derive(Clone, Debug)]
+pub(crate) struct Distribution {
+    pub name: String,
+    /// The name of its table.
+    pub table: (String, Span),
+    /// Numbers of elements that no line names.
+    pub default: Numbers,
+    pub lines: Vec<(Target, Numbers)>,
+    /// Where the instance stands that has it.
+    pub motion: Option<Motion>,
+}
+
+/// The numbers of a line of a `*DISTRIBUTION`, as far as axes need them.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Numbers {
+    pub first: [f64; 6],
+    /// Where they stand.
+    pub span: Span,
 }
 
 /// The system through points: of a cylinder and a sphere, a and b are those of the axis.

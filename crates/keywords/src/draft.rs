@@ -13,7 +13,7 @@ use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{Dialect, Dof, Interaction, Model, Node, NodeIndex, Nodes, SavedStates};
 
-use crate::axes::{Orientation, Transform};
+use crate::axes::{Distribution, Orientation, Transform};
 use crate::constraints::{Coupling, Equation, Link, PreTension, ShapeMpc, Tie};
 use crate::expression::Values;
 use crate::log::{Log, MAX_LABEL};
@@ -94,6 +94,9 @@ pub(crate) struct Draft {
     pub ties: Vec<Tie>,
     pub transforms: Vec<Transform>,
     pub orientations: Vec<Orientation>,
+    pub distributions: Vec<Distribution>,
+    /// Names of `*DISTRIBUTION TABLE`s of axes.
+    pub distribution_tables: Vec<String>,
     /// Axes of the nodes that have their own, when all cards are read.
     pub axes: HashMap<NodeIndex, slideline_model::Axes>,
     pub pre_tensions: Vec<PreTension>,
@@ -157,6 +160,7 @@ pub(crate) struct Contents {
     pub ties: Vec<Tie>,
     pub transforms: Vec<Transform>,
     pub orientations: Vec<Orientation>,
+    pub distributions: Vec<Distribution>,
     pub pre_tensions: Vec<PreTension>,
     pub shape_mpcs: Vec<ShapeMpc>,
     /// Boundary conditions before the first step.

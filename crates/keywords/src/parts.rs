@@ -47,6 +47,7 @@ impl Draft {
             ties: take(&mut self.ties),
             transforms: take(&mut self.transforms),
             orientations: take(&mut self.orientations),
+            distributions: take(&mut self.distributions),
             pre_tensions: take(&mut self.pre_tensions),
             shape_mpcs: take(&mut self.shape_mpcs),
             initial: take(&mut self.initial),
@@ -76,6 +77,7 @@ impl Draft {
         self.ties = contents.ties;
         self.transforms = contents.transforms;
         self.orientations = contents.orientations;
+        self.distributions = contents.distributions;
         self.pre_tensions = contents.pre_tensions;
         self.shape_mpcs = contents.shape_mpcs;
         self.initial = contents.initial;

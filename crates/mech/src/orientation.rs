@@ -8,6 +8,8 @@
 //! Q turns body and space alike, so that the axes go with the material when it turns:
 //! docs/theory.md eq. (3.55).
 
+use std::sync::Arc;
+
 use crate::axes::{self, Axes, System};
 use crate::material::tensor::{Matrix, Symmetric, carried, product, pushed};
 use crate::material::{Answer, Conditions, Material};
@@ -19,6 +21,35 @@ pub struct Orientation {
     pub basis: Basis,
     /// A further turn about one of them, 0 to 2, by an angle [1].
     pub turn: Option<(usize, f64)>,
+}
+
+/// Axes of the material of many elements.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Orientations {
+    /// The same for all.
+    All(Orientation),
+    /// One for each, in the order of the elements.
+    Each(Arc<[Orientation]>),
+}
+
+impl Orientations {
+    /// That of an element, by its place.
+    pub fn of(&self, element: usize) -> Option<&Orientation> {
+        match self {
+            Self::All(orientation) => Some(orientation),
+            Self::Each(all) => all.get(element),
+        }
+    }
+
+    /// Those of some of the elements, by their places.
+    pub fn chosen(&self, elements: &[usize]) -> Self {
+        match self {
+            Self::All(orientation) => Self::All(*orientation),
+            Self::Each(all) => {
+                Self::Each(elements.iter().filter_map(|&place| all.get(place).copied()).collect())
+            }
+        }
+    }
 }
 
 /// What axes are given by.

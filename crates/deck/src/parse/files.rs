@@ -9,8 +9,16 @@ use crate::limits::{MAX_BYTES, MAX_DEPTH, MAX_FILES, MAX_LINES, MAX_NULS, MAX_VA
 use crate::lines::RawLine;
 
 /// Keywords whose data lines may stand in a file of their own, `INPUT=`.
-const WITH_DATA_ELSEWHERE: [&str; 7] =
-    ["NODE", "ELEMENT", "AMPLITUDE", "INITIALCONDITIONS", "TEMPERATURE", "EQUATION", "MPC"];
+const WITH_DATA_ELSEWHERE: [&str; 8] = [
+    "NODE",
+    "ELEMENT",
+    "AMPLITUDE",
+    "INITIALCONDITIONS",
+    "TEMPERATURE",
+    "DISTRIBUTION",
+    "EQUATION",
+    "MPC",
+];
 
 impl Reader<'_> {
     /// Why a file is not read at all.

@@ -42,6 +42,8 @@ pub(crate) mod deformation_plasticity;
 pub(crate) mod density;
 pub(crate) mod distributing;
 pub(crate) mod distributing_coupling;
+pub(crate) mod distribution;
+pub(crate) mod distribution_table;
 pub(crate) mod dload;
 pub(crate) mod dsload;
 pub(crate) mod el_file;

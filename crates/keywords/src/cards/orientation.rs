@@ -1,10 +1,10 @@
 //! `*ORIENTATION`: axes of materials.
 //!
 //! ```text
-//!   a, b, c: points, nodes or nodes of the element; then an axis and a turn about it
+//!   a, b, c: points, nodes, nodes of the element or a distribution; then an axis and a turn about it
 //! ```
 
-use slideline_deck::DataLine;
+use slideline_deck::{DataLine, normalise};
 use slideline_model::System;
 
 use crate::axes::{Given, Orientation as Draught, system_of};
@@ -62,13 +62,17 @@ impl Keyword for Orientation {
             return;
         }
         let Some(line) = card.first_line("a, b and perhaps c", &mut draft.log) else { return };
-        if line.field(0).is_some_and(|first| first.text.starts_with(char::is_alphabetic)) {
-            let message = "axes from a *DISTRIBUTION are not supported: give the points themselves";
-            draft.log.error("SL0221", message, line.span);
+        if names_a_distribution(line) && definition != "COORDINATES" {
+            let message = format!("a *DISTRIBUTION has points, not DEFINITION={definition}");
+            draft.log.error("SL0215", message, card.span_of("DEFINITION"));
             return;
         }
         draft.log.at_most_lines(card.data(), 2, self.name());
         let given = match definition {
+            "COORDINATES" if names_a_distribution(line) => {
+                draft.log.at_most(line, 1);
+                Some(Given::Distribution(system, normalise(&line.fields[0].text)))
+            }
             "COORDINATES" => from_points(system, line, draft).map(Given::System),
             "NODES" => from_nodes(line, draft).map(|nodes| Given::Nodes(system, nodes)),
             _ => own_nodes(line, draft).map(Given::Own),
@@ -82,6 +86,12 @@ impl Keyword for Orientation {
         }
         draft.orientations.push(Draught { name, given, turn, line: line.span });
     }
+}
+
+/// Whether a line has a name in the place of points.
+fn names_a_distribution(line: &DataLine) -> bool {
+    line.field(0)
+        .is_some_and(|first| first.text.starts_with(|c: char| c.is_alphabetic() || c == '_'))
 }
 
 fn from_points(system: &str, line: &DataLine, draft: &mut Draft) -> Option<System> {
@@ -126,6 +136,11 @@ fn own_nodes(line: &DataLine, draft: &mut Draft) -> Option<[usize; 3]> {
 /// The axis, 0 to 2, and the angle about it [1]: `Some(None)` where nothing turns.
 fn turn(line: &DataLine, draft: &mut Draft) -> Option<Option<(usize, f64)>> {
     draft.log.at_most(line, 2);
+    if line.field(1).is_some_and(|angle| angle.text.starts_with(char::is_alphabetic)) {
+        let message = "an angle from a *DISTRIBUTION is not supported: turn its points";
+        draft.log.error("SL0221", message, line.span);
+        return None;
+    }
     let axis = draft.log.integer_or(line, 0, 1)?;
     let degrees = draft.log.number_or(line, 1, 0.0)?;
     let Some(axis) = usize::try_from(axis - 1).ok().filter(|&axis| axis < 3) else {

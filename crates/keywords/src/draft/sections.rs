@@ -8,7 +8,6 @@ use slideline_mech::material::{
     Growth, Hardening, LargeStrain, Plastic, PowerLaw, RambergOsgood, Relaxation, Rubber,
     Viscoelastic,
 };
-use slideline_mech::orientation::Orientation;
 use slideline_model::{self as model, BeamSection, Dialect, Limit, Shape, ShearRule, SolidSection};
 use std::sync::Arc;
 
@@ -50,12 +49,7 @@ impl Body {
     }
 
     /// The same with a material; `None` where a beam is given another than an isotropic elastic one.
-    pub fn of(
-        self,
-        material: &Material,
-        orientation: Option<Orientation>,
-        dialect: Dialect,
-    ) -> Option<model::Section> {
+    pub fn of(self, material: &Material, dialect: Dialect) -> Option<model::Section> {
         Some(match self {
             Self::Beam { shape, poisson, shear, first_axis, elastic } => {
                 let (table, expansion) = match elastic {
@@ -73,7 +67,7 @@ impl Body {
             Self::Solid { thickness } => {
                 let thickness = thickness.unwrap_or(1.0);
                 let material = material.solid(dialect)?;
-                model::Section::Solid(SolidSection { thickness, material, orientation })
+                model::Section::Solid(SolidSection { thickness, material, orientation: None })
             }
         })
     }

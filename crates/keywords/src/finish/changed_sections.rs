@@ -12,8 +12,8 @@ use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::material::Prestressed;
 use slideline_model::{ChangedSection, Material};
 
+use super::axes_of_elements::SectionAxes;
 use super::materials::{in_plane_stress, lines_have_no_axes, material, no_material};
-use super::orientations;
 use crate::draft::{Body, Draft, PropertyChange, Section, StepDraft, Yielding};
 use crate::rule::Subject;
 use crate::surfaces::Named;
@@ -163,11 +163,12 @@ impl ChangedSections {
             draft.consequence(Subject::Elements, error.label(own.origin, "their section"));
             return;
         }
-        let Some(axes) = orientations::of_section(card.orientation.as_ref(), draft) else { return };
+        let Some(axes) = SectionAxes::named(card.orientation.as_ref(), draft) else { return };
         let claimed = [(own.kind, own.elements.clone())];
         in_plane_stress(&card, &claimed, draft);
         lines_have_no_axes(&card, &claimed, draft);
-        let Some(made) = material(&card, axes, draft) else { return };
+        let Some(made) = material(&card, draft) else { return };
+        let made = axes.put_on(made, &own.elements, draft);
         let slideline_model::Section::Solid(before) = &own.section else { return };
         let slideline_model::Section::Solid(mut after) = made else { return };
         if before.material.begins_under_stress() {

@@ -2,7 +2,6 @@
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::element::solid;
-use slideline_mech::orientation::Orientation;
 use slideline_model::{ElementType, Elements, Kinematics};
 
 use crate::draft::{Body, Draft, Elasticity, Section, Yielding};
@@ -67,15 +66,11 @@ pub(super) fn in_plane_stress(
     }
 }
 
-/// The section with its material.
-pub(super) fn material(
-    section: &Section,
-    orientation: Option<Orientation>,
-    draft: &mut Draft,
-) -> Option<slideline_model::Section> {
+/// The section with its material, along the axes of the model.
+pub(super) fn material(section: &Section, draft: &mut Draft) -> Option<slideline_model::Section> {
     if let Body::Beam { elastic: Some(_), .. } = section.body {
         let own = crate::draft::Material::new(String::new(), section.origin);
-        return section.body.clone().of(&own, orientation, draft.dialect);
+        return section.body.clone().of(&own, draft.dialect);
     }
     let found = draft.materials.iter().find(|material| material.name == section.material).cloned();
     let Some(material) = found else {
@@ -120,7 +115,7 @@ pub(super) fn material(
         );
         return None;
     }
-    section.body.clone().of(&material, orientation, draft.dialect)
+    section.body.clone().of(&material, draft.dialect)
 }
 
 /// Whether what hardens a metal goes together; complains if not.

@@ -4,6 +4,7 @@
 mod along_beams;
 mod amplitudes;
 mod axes;
+mod axes_of_elements;
 mod chain;
 mod changed_sections;
 mod clearances;

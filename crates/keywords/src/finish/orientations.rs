@@ -5,7 +5,7 @@ use slideline_mech::element::solid::Kinematics as Strains;
 use slideline_mech::orientation::{Basis, Orientation, of_nodes};
 use slideline_model::{ElementType, Kinematics, Master, MasterFaces, NodeIndex};
 
-use crate::axes::{Given, system_of};
+use crate::axes::{Given, Orientation as Draught, system_of};
 use crate::draft::{Draft, Element};
 use crate::rule::Subject;
 use crate::surfaces::Pairing;
@@ -16,20 +16,15 @@ pub(super) fn of_section(
     draft: &mut Draft,
 ) -> Option<Option<Orientation>> {
     let Some((name, span)) = named else { return Some(None) };
-    // a part may use axes that stand outside of it
-    let plain = name.rsplit('.').next().unwrap_or(name);
-    let find = |name: &str| draft.orientations.iter().find(|own| own.name == name).cloned();
-    let Some(found) = find(name).or_else(|| find(plain)) else {
-        let message = format!("there is no orientation {name}");
-        let mut error = Diagnostic::error(Code("SL0308"), message).at(*span);
-        let names = draft.orientations.iter().map(|own| own.name.as_str());
-        if let Some(near) = slideline_deck::nearest(name, names) {
-            error = error.help(format!("did you mean {near}?"));
-        }
-        draft.consequence(Subject::Sections, error);
-        return None;
-    };
+    let found = of_name((name, *span), draft)?;
     let basis = match found.given {
+        Given::Distribution(..) => {
+            let message =
+                format!("the axes {name} are those of elements: a *SOLID SECTION takes them");
+            let error = Diagnostic::error(Code("SL0221"), message).at(*span);
+            draft.consequence(Subject::Sections, error.help("name axes that are given by points"));
+            return None;
+        }
         Given::System(system) => Basis::System(system),
         Given::Own(nodes) => Basis::Nodes(nodes),
         Given::Nodes(system, labels) => {
@@ -54,6 +49,32 @@ pub(super) fn of_section(
         }
     };
     Some(Some(Orientation { basis, turn: found.turn }))
+}
+
+/// The orientation of that name; a part may use axes that stand outside of it.
+pub(super) fn of_name((name, span): (&str, Span), draft: &mut Draft) -> Option<Draught> {
+    let plain = name.rsplit('.').next().unwrap_or(name);
+    let find = |name: &str| draft.orientations.iter().find(|own| own.name == name).cloned();
+    let found = find(name).or_else(|| find(plain));
+    if found.is_none() {
+        let names = draft.orientations.iter().map(|own| own.name.as_str());
+        let error = unknown("orientation", (name, span), names);
+        draft.consequence(Subject::Sections, error);
+    }
+    found
+}
+
+/// That there is no such thing, with the nearest name there is.
+pub(super) fn unknown<'a>(
+    what: &str,
+    (name, span): (&str, Span),
+    names: impl Iterator<Item = &'a str>,
+) -> Diagnostic {
+    let error = Diagnostic::error(Code("SL0308"), format!("there is no {what} {name}")).at(span);
+    match slideline_deck::nearest(name, names) {
+        Some(near) => error.help(format!("did you mean {near}?")),
+        None => error,
+    }
 }
 
 /// The axes that the pair names for its surfaces; `None` after an error. Those of an analytical surface

@@ -7,6 +7,7 @@ use slideline_model::{
     Allowable, Dialect, ElementBlock, ElementType, Elements, Kinematics, NodeIndex, TYPES,
 };
 
+use super::axes_of_elements::SectionAxes;
 use super::changed_sections::parted;
 use super::materials::{in_plane_stress, lines_have_no_axes, material, no_material};
 use super::middle_nodes::past_the_quarter;
@@ -20,7 +21,7 @@ pub(super) fn sections(draft: &mut Draft) {
     let sections = draft.sections.clone();
     let found = named(&sections, draft);
     for (section, found) in &parted(&sections, found, draft) {
-        let orientation = super::orientations::of_section(section.orientation.as_ref(), draft);
+        let axes = SectionAxes::named(section.orientation.as_ref(), draft);
         let mut claimed: Vec<(&'static ElementType, Elements)> = Vec::new();
         let mut pointing: Vec<space::Pointing> = Vec::new();
         for &index in found {
@@ -30,7 +31,7 @@ pub(super) fn sections(draft: &mut Draft) {
                 claimed.push((row, Elements::new(row.cell.nodes)));
             }
             if let Some(nodes) = nodes(&element, row, draft)
-                && orientation.flatten().is_none_or(|own| {
+                && axes.as_ref().and_then(|axes| axes.of(index)).is_none_or(|own| {
                     let at = (&nodes[..], section.set_span);
                     super::orientations::suits(&own, (&element, row), at, draft)
                 })
@@ -45,11 +46,11 @@ pub(super) fn sections(draft: &mut Draft) {
                 own.into_iter().for_each(|own| own.push(label, &nodes, element.origin));
             }
         }
-        let Some(orientation) = orientation else { continue };
+        let Some(axes) = axes else { continue };
         in_plane_stress(section, &claimed, draft);
         lines_have_no_axes(section, &claimed, draft);
-        if let Some(made) = material(section, orientation, draft) {
-            blocks(section, &made, (claimed, pointing), draft);
+        if let Some(made) = material(section, draft) {
+            blocks((section, &axes), &made, (claimed, pointing), draft);
         }
     }
     allowables(draft);
@@ -91,7 +92,7 @@ fn named(sections: &[Section], draft: &mut Draft) -> Vec<Option<Vec<usize>>> {
 /// A block for every type of element in a section's set, in the order of the
 /// table; one without elements where there are none at all.
 fn blocks(
-    section: &Section,
+    (section, axes): (&Section, &SectionAxes),
     made: &slideline_model::Section,
     (mut claimed, pointing): (Vec<(&'static ElementType, Elements)>, Vec<space::Pointing>),
     draft: &mut Draft,
@@ -105,6 +106,7 @@ fn blocks(
         let own = claimed.iter().position(|(kind, _)| *kind == row);
         if let Some(own) = own {
             block.elements = claimed.swap_remove(own).1;
+            block.section = axes.put_on(block.section, &block.elements, draft);
         }
         if own.is_some() || (none && place == 0) {
             draft.model.blocks.push(block);

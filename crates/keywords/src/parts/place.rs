@@ -3,7 +3,7 @@
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{Node, SurfaceSegment};
 
-use crate::axes::{Given, Orientation, Transform};
+use crate::axes::{Distribution, Given, Orientation, Transform};
 use crate::constraints::{Coupling, Cut, Equation, Link, Points, PreTension, ShapeMpc, Tie};
 use crate::draft::{
     Boundary, Contents, Draft, Element, Gap, Interface, PointMass, Section, Shape, Spring, Surface,
@@ -202,10 +202,22 @@ impl Place for Transform {
 impl Place for Orientation {
     fn placed(mut self, by: &Placement) -> Self {
         self.name = by.name(&self.name);
-        if let Given::Nodes(_, labels) = &mut self.given {
-            labels.iter_mut().flatten().for_each(|label| *label = by.label(*label));
+        match &mut self.given {
+            Given::Nodes(_, labels) => {
+                labels.iter_mut().flatten().for_each(|label| *label = by.label(*label));
+            }
+            Given::Distribution(_, name) => *name = by.name(name),
+            Given::System(_) | Given::Own(_) => {}
         }
         self
+    }
+}
+
+impl Place for Distribution {
+    fn placed(self, by: &Placement) -> Self {
+        let lines = self.lines.into_iter();
+        let lines = lines.map(|(target, numbers)| (target.placed(by), numbers)).collect();
+        Self { name: by.name(&self.name), lines, ..self }
     }
 }
 
@@ -284,6 +296,9 @@ impl Draft {
             orientation
         });
         extend(&mut self.orientations, turned.collect(), by);
+        let distributions = own.distributions.into_iter();
+        let moved = distributions.map(|own| Distribution { motion: Some(*motion), ..own });
+        extend(&mut self.distributions, moved.collect(), by);
         extend(&mut self.pre_tensions, own.pre_tensions, by);
         extend(&mut self.shape_mpcs, own.shape_mpcs, by);
         extend(&mut self.initial, own.initial, by);

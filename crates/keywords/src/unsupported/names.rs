@@ -137,11 +137,6 @@ pub(super) const GROUPS: &[Group] = &[
     ),
     (
         Unsupported,
-        "a load on a node is *CLOAD; a rigid link to several nodes is *MPC of type BEAM",
-        &["DISTRIBUTION", "DISTRIBUTION TABLE"],
-    ),
-    (
-        Unsupported,
         "use one node on both sides, or *MPC of type BEAM",
         &[
             "TIED CONTACT",

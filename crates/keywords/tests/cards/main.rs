@@ -2,6 +2,7 @@
 
 mod as_cae_writes;
 mod corpus;
+mod distributions;
 mod general_contact;
 mod generated_lines;
 mod limits_of_use;

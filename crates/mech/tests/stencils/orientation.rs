@@ -10,7 +10,7 @@ use slideline_mech::element::solid::Kinematics::{self, Axisymmetric, PlaneStress
 use slideline_mech::element::solid::{Recipe, Told, states};
 use slideline_mech::element::{Kernel, Response, Solids, Strains};
 use slideline_mech::material::{Anisotropic, Material, Unsound};
-use slideline_mech::orientation::{Basis, Orientation};
+use slideline_mech::orientation::{Basis, Orientation, Orientations};
 
 /// E1, E2, E3, nu12, nu13, nu23, G12, G13, G23.
 const PLY: [f64; 9] = [9.0, 3.0, 2.0, 0.3, 0.25, 0.4, 1.6, 1.1, 0.8];
@@ -64,7 +64,7 @@ fn kernel(kind: &Kind, orientation: Option<Orientation>, nodes: &[[f64; 3]]) -> 
         material,
         thickness,
         told,
-        orientation,
+        orientation: orientation.map(Orientations::All),
         temperatures,
     };
     match cell.nodes {

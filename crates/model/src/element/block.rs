@@ -85,15 +85,16 @@ impl ElementBlock {
         }
     }
 
-    /// Axes of the material at the integration points of an element on the undeformed positions
-    /// of its nodes [L]; none where they are those of the model.
-    pub fn axes_at_points(&self, nodes: &[[f64; 3]]) -> Vec<Axes> {
+    /// Axes of the material at the integration points of an element, by its place, on the
+    /// undeformed positions of its nodes [L]; none where they are those of the model.
+    pub fn axes_at_points(&self, element: usize, nodes: &[[f64; 3]]) -> Vec<Axes> {
         let (Section::Solid(section), Kinematics::Solid { rule, .. }) =
             (&self.section, self.kind.kinematics)
         else {
             return Vec::new();
         };
-        let Some(orientation) = section.orientation else { return Vec::new() };
+        let all = section.orientation.as_ref();
+        let Some(orientation) = all.and_then(|all| all.of(element)) else { return Vec::new() };
         let mut shapes = vec![0.0; nodes.len()];
         let mut at = |place: &[f64; 3]| {
             (self.kind.cell.shapes)(place, &mut shapes);

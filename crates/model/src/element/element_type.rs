@@ -114,6 +114,8 @@ pub struct Undeformed<'a> {
     pub dialect: Dialect,
     /// Positions of the nodes [L], element by element.
     pub nodes: &'a [[f64; 3]],
+    /// Their places among the elements of the block.
+    pub members: &'a [usize],
 }
 
 impl Undeformed<'_> {

@@ -186,7 +186,7 @@ pub(super) fn solid<const D: usize, const N: usize, const P: usize>(
         material: section.material.clone(),
         thickness: section.thickness,
         told,
-        orientation: section.orientation,
+        orientation: section.orientation.as_ref().map(|all| all.chosen(block.members)),
         temperatures: interpolation(block, formulation),
     };
     let solids = Solids::<D, N, P>::new(recipe, block.positions::<D, N>())?;

@@ -3,7 +3,7 @@
 use crate::node::Dof;
 use slideline_mech::element::{BeamHeat, SpringLaw};
 use slideline_mech::material::{Elastic, Material};
-use slideline_mech::orientation::Orientation;
+use slideline_mech::orientation::Orientations;
 use slideline_mech::section::Shape;
 
 /// Section and material of a block.
@@ -132,5 +132,5 @@ pub struct SolidSection {
     /// Material.
     pub material: Material,
     /// Axes of the material; `None`: those of the model.
-    pub orientation: Option<Orientation>,
+    pub orientation: Option<Orientations>,
 }

@@ -105,8 +105,10 @@ mod tests {
                 .iter()
                 .filter_map(|section| {
                     let dialect = Dialect::Abaqus;
-                    let kernel =
-                        (row.kernel)(&Undeformed { kind: row, section, dialect, nodes }, None);
+                    let kernel = (row.kernel)(
+                        &Undeformed { kind: row, section, dialect, nodes, members: &[0] },
+                        None,
+                    );
                     Some((section, kernel?))
                 })
                 .collect();

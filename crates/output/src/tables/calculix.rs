@@ -143,7 +143,7 @@ fn axes(frame: &Frame<'_>, print: &ElementPrint, solid: &Solid<'_>) -> Vec<Axes>
         return Vec::new();
     }
     let nodes = solid.element.nodes.iter().map(|&node| frame.model.nodes.position(node));
-    solid.block.axes_at_points(&nodes.collect::<Vec<_>>())
+    solid.block.axes_at_points(solid.place, &nodes.collect::<Vec<_>>())
 }
 
 fn push_points(text: &mut String, solid: &Solid<'_>, variable: ElementVariable, axes: &[Axes]) {

@@ -102,6 +102,8 @@ pub struct Solid<'a> {
     pub block: &'a ElementBlock,
     /// The element.
     pub element: Element<'a>,
+    /// Its place in the block.
+    pub place: usize,
     values: &'a [f64],
 }
 
@@ -112,12 +114,13 @@ pub fn solids<'a>(frame: &'a Frame<'a>) -> impl Iterator<Item = Solid<'a>> {
         (!block.kind.is_beam() && !block.kind.fields.is_empty()).then_some((block, results))
     });
     blocks.flat_map(move |(block, results)| {
-        let own = results.elements(frame.model);
-        own.map(move |(element, values)| Solid {
+        let own = results.members.iter().zip(results.elements(frame.model));
+        own.map(move |(&place, (element, values))| Solid {
             frame,
             number: results.block,
             block,
             element,
+            place,
             values,
         })
     })

@@ -1,5 +1,6 @@
 //! Elements, materials, constraints and loads, each judged on what runs leave.
 
+mod axes_of_elements;
 mod balance;
 mod beam_sections;
 mod beam_stresses;

@@ -44,7 +44,8 @@ impl Kernels {
             let section = other.map_or(&block.section, |own| &own.section);
             let nodes = &self.nodes[..];
             let (kind, dialect) = (block.kind, model.dialect);
-            let undeformed = Undeformed { kind, section, dialect, nodes };
+            let members = &numbered.members[..];
+            let undeformed = Undeformed { kind, section, dialect, nodes, members };
             let room = known.then(|| self.blocks.remove(0));
             let made = (kind.kernel)(&undeformed, room);
             let shape = (numbered.members.len(), numbered.variables);

@@ -46,7 +46,7 @@ impl ElementNumbering {
         let straining = |element: &Element<'_>| !is_rigid(element, block, constraints);
         let elements = || block.elements.iter().enumerate().filter(|(_, own)| straining(own));
         // one tells what all have
-        let Some((_, one)) = elements().next() else { return };
+        let Some((first_member, one)) = elements().next() else { return };
         let nodes: Vec<[f64; 3]> =
             one.nodes.iter().map(|&node| model.nodes.get(node).position).collect();
         let undeformed = Undeformed {
@@ -54,6 +54,7 @@ impl ElementNumbering {
             section: &block.section,
             dialect: model.dialect,
             nodes: &nodes,
+            members: &[first_member],
         };
         let Some(kernel) = (block.kind.kernel)(&undeformed, None) else { return };
         let (first, variables) = (self.count, kernel.variables());

@@ -4,7 +4,7 @@ use super::told::Told;
 use crate::element::cell::Cell;
 use crate::element::quadrature::Quadrature;
 use crate::material::Material;
-use crate::orientation::Orientation;
+use crate::orientation::Orientations;
 
 /// How strains follow displacements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -72,7 +72,7 @@ pub struct Recipe {
     /// Strains as results tell them.
     pub told: Told,
     /// Axes of the material; `None`: those of the model.
-    pub orientation: Option<Orientation>,
+    pub orientation: Option<Orientations>,
     /// How temperatures go from nodes to points.
     pub temperatures: Interpolation,
 }

@@ -56,8 +56,9 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         let centres = elements.iter().filter(|_| with_modes);
         let centres = centres.map(|nodes| Centre::new(nodes, &tables.centre, &recipe)).collect();
         let heat = Box::new(heat::counts::<D, N, P>(&recipe));
-        let axes = recipe.orientation.iter().flat_map(|orientation| {
-            elements.iter().map(|nodes| place::axes(nodes, &tables, orientation))
+        let axes = recipe.orientation.iter().flat_map(|all| {
+            let each = elements.iter().enumerate();
+            each.filter_map(|(k, nodes)| Some(place::axes(nodes, &tables, all.of(k)?)))
         });
         let axes = axes.collect();
         Some(Self { recipe, tables, heat, means, elements, places, axes, centres })
