@@ -1,6 +1,7 @@
 //! The model while it is read: objects by name, references not yet resolved.
 
 mod cards;
+mod contents;
 mod elements;
 mod heat;
 mod owner;
@@ -11,7 +12,7 @@ use std::collections::HashMap;
 
 use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_model::{Dialect, Dof, Interaction, Model, Node, NodeIndex, Nodes, SavedStates};
+use slideline_model::{Dialect, Dof, Interaction, Model, Node, NodeIndex, SavedStates};
 
 use crate::axes::{Distribution, Orientation, Transform};
 use crate::constraints::{Coupling, Equation, Link, PreTension, ShapeMpc, Tie};
@@ -27,8 +28,9 @@ use crate::surfaces::{
     RigidBody, SurfaceThickness,
 };
 pub(crate) use cards::{
-    Boundary, Gap, Interface, NodalThickness, PointMass, Shape, Spring, StepDraft, Surface,
+    Boundary, Gap, Interface, NodalThickness, Normal, PointMass, Shape, Spring, StepDraft, Surface,
 };
+pub(crate) use contents::Contents;
 pub(crate) use elements::{Element, ElementKind, MOST_NODES};
 pub(crate) use heat::{Heat, StressLine};
 pub(crate) use owner::Owner;
@@ -71,6 +73,9 @@ pub(crate) struct Draft {
     pub mass_of: HashMap<u64, f64>,
     pub springs: Vec<Spring>,
     pub gaps: Vec<Gap>,
+    pub normals: Vec<Normal>,
+    /// Axis 1 of the sections of beams that have one of their own, by the place of the element.
+    pub first_axes: HashMap<usize, [f64; 3]>,
     pub masses: Vec<PointMass>,
     pub surfaces: Vec<Surface>,
     pub interfaces: Vec<Interface>,
@@ -135,36 +140,6 @@ pub(crate) struct Draft {
     generated: u64,
     expanded: u64,
     incomplete: Vec<Subject>,
-}
-
-/// What belongs to a part: everything with numbers and names of its own.
-#[derive(Clone, Default)]
-pub(crate) struct Contents {
-    pub nodes: Nodes,
-    pub node_sets: Sets,
-    pub element_sets: Sets,
-    pub node_sets_of_elements: Vec<(String, Named)>,
-    pub elements: Vec<Element>,
-    pub sections: Vec<Section>,
-    pub springs: Vec<Spring>,
-    pub gaps: Vec<Gap>,
-    pub masses: Vec<PointMass>,
-    pub surfaces: Vec<Surface>,
-    pub interfaces: Vec<Interface>,
-    pub named_surfaces: Vec<NamedSurface>,
-    pub pairings: Vec<Pairing>,
-    pub bodies: Vec<RigidBody>,
-    pub links: Vec<Link>,
-    pub equations: Vec<Equation>,
-    pub couplings: Vec<Coupling>,
-    pub ties: Vec<Tie>,
-    pub transforms: Vec<Transform>,
-    pub orientations: Vec<Orientation>,
-    pub distributions: Vec<Distribution>,
-    pub pre_tensions: Vec<PreTension>,
-    pub shape_mpcs: Vec<ShapeMpc>,
-    /// Boundary conditions before the first step.
-    pub initial: Vec<Boundary>,
 }
 
 impl Draft {

@@ -11,6 +11,7 @@
 //! of the instances before, names behind the name of the instance. Nothing else knows of parts.
 
 mod place;
+mod renamed;
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::Model;
@@ -19,7 +20,7 @@ use crate::draft::{Contents, Draft};
 use crate::motion::Motion;
 use crate::rule::Subject;
 use crate::scopes::{Assembly, Kind, Open, Part};
-pub(crate) use place::Place;
+pub(crate) use renamed::Place;
 
 impl Draft {
     fn take_contents(&mut self) -> Contents {
@@ -35,6 +36,7 @@ impl Draft {
             sections: take(&mut self.sections),
             springs: take(&mut self.springs),
             gaps: take(&mut self.gaps),
+            normals: take(&mut self.normals),
             masses: take(&mut self.masses),
             surfaces: take(&mut self.surfaces),
             interfaces: take(&mut self.interfaces),
@@ -65,6 +67,7 @@ impl Draft {
         self.sections = contents.sections;
         self.springs = contents.springs;
         self.gaps = contents.gaps;
+        self.normals = contents.normals;
         self.masses = contents.masses;
         self.surfaces = contents.surfaces;
         self.interfaces = contents.interfaces;

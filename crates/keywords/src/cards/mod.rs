@@ -83,6 +83,7 @@ pub(crate) mod node;
 pub(crate) mod node_file;
 pub(crate) mod node_output;
 pub(crate) mod node_print;
+pub(crate) mod normal;
 pub(crate) mod nset;
 pub(crate) mod orientation;
 pub(crate) mod output;

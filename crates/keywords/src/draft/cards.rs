@@ -23,6 +23,16 @@ pub(crate) struct Spring {
     pub origin: Span,
 }
 
+/// A line of `*NORMAL`.
+#[derive(Clone, Debug)]
+pub(crate) struct Normal {
+    pub elements: Target,
+    pub nodes: Target,
+    /// Not of length one.
+    pub direction: [f64; 3],
+    pub origin: Span,
+}
+
 /// `*GAP`.
 #[derive(Clone, Debug)]
 pub(crate) struct Gap {

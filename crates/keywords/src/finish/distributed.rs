@@ -79,7 +79,8 @@ fn on_section(
     let nodes = face_nodes(index, None, draft)?;
     let section = section_of(index, draft)?.clone();
     let ElementKind::Structural(row) = draft.elements[index].kind else { return None };
-    let shares = line_loads::across((&nodes, &section, row), axis, line, draft)?;
+    let own_axis = draft.first_axes.get(&index).copied();
+    let shares = line_loads::across((&nodes, &section, row), own_axis, axis, line, draft)?;
     let what = What::Pressure(Pressed::Sections(shares), nodes);
     Some(((index, line.key(axis + 1, draft.dialect)), what))
 }

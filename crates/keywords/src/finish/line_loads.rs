@@ -35,9 +35,11 @@ fn unit(axis: usize) -> [f64; 3] {
 }
 
 /// Forces of a unit force per length along axis 1 or 2 of the section of a beam; `None`, with a
-/// complaint, where it leaves the plane or means something else.
+/// complaint, where it leaves the plane or means something else. `own_axis`: axis 1 where the element
+/// has one of its own.
 pub(super) fn across(
     (nodes, section, row): (&[NodeIndex], &Section, &ElementType),
+    own_axis: Option<[f64; 3]>,
     axis: usize,
     line: &Distributed,
     draft: &mut Draft,
@@ -55,6 +57,7 @@ pub(super) fn across(
         return None;
     }
     let Body::Beam { first_axis, .. } = section.body else { return None };
+    let first_axis = own_axis.unwrap_or(first_axis);
     let x: Vec<[f64; 3]> = nodes.iter().map(|&node| draft.model.nodes.position(node)).collect();
     // a section without axes has been complained of; in the plane axis 1 points into the plane
     let along = |t: [f64; 3]| match row.is_beam() {

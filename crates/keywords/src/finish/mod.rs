@@ -5,6 +5,7 @@ mod along_beams;
 mod amplitudes;
 mod axes;
 mod axes_of_elements;
+mod beam_normals;
 mod chain;
 mod changed_sections;
 mod clearances;

@@ -8,6 +8,7 @@ use slideline_model::{
 };
 
 use super::axes_of_elements::SectionAxes;
+use super::beam_normals::Normals;
 use super::changed_sections::parted;
 use super::materials::{in_plane_stress, lines_have_no_axes, material, no_material};
 use super::middle_nodes::past_the_quarter;
@@ -19,6 +20,7 @@ use crate::rule::Subject;
 pub(super) fn sections(draft: &mut Draft) {
     let mut owner = vec![None; draft.elements.len()];
     let sections = draft.sections.clone();
+    let normals = Normals::of(draft);
     let found = named(&sections, draft);
     for (section, found) in &parted(&sections, found, draft) {
         let axes = SectionAxes::named(section.orientation.as_ref(), draft);
@@ -36,8 +38,13 @@ pub(super) fn sections(draft: &mut Draft) {
                     super::orientations::suits(&own, (&element, row), at, draft)
                 })
                 && let Some(direction) = space::direction(&element, &nodes, draft)
+                && let Some(direction) =
+                    normals.turned(index, (row, &nodes), (section, direction), draft)
                 && space::is_sound((section, direction), (&element, row), &nodes, draft)
             {
+                if let Some(direction) = direction {
+                    draft.first_axes.insert(index, direction);
+                }
                 let own = match direction {
                     Some(direction) => space::pointing(direction, row, &mut pointing),
                     None => claimed.iter_mut().find(|(kind, _)| *kind == row).map(|own| &mut own.1),

@@ -33,13 +33,20 @@ pub(super) fn pointing<'a>(
     kind: &'static ElementType,
     all: &'a mut Vec<Pointing>,
 ) -> Option<&'a mut Elements> {
-    let known = all.iter().position(|own| own.first_axis == first_axis && own.kind == kind);
+    let near = |own: &Pointing| {
+        let size = own.first_axis.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        own.first_axis.iter().zip(first_axis).all(|(a, b)| (a - b).abs() <= SAME * size)
+    };
+    let known = all.iter().position(|own| near(own) && own.kind == kind);
     let place = known.unwrap_or_else(|| {
         all.push(Pointing { first_axis, kind, elements: Elements::new(kind.cell.nodes) });
         all.len() - 1
     });
     all.get_mut(place).map(|own| &mut own.elements)
 }
+
+/// Part of a direction below which another one is the same but for rounding [1].
+const SAME: f64 = 1e-14;
 
 /// The direction to the node that axis 1 of an element's section points to, if it names one; `None`
 /// after an error.

@@ -122,11 +122,6 @@ pub(super) const GROUPS: &[Group] = &[
     ),
     (
         Unsupported,
-        "a beam's axes are those of its section card, normals of contact those of its faces",
-        &["NORMAL"],
-    ),
-    (
-        Unsupported,
         "how contact is spread is a property of the model: TYPE of *CONTACT PAIR",
         &["CHANGE CONTACT TYPE"],
     ),

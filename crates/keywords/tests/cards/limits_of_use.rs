@@ -38,7 +38,7 @@ fn what_the_page_names_is_refused() {
         ("beams in space as masters", "TYPE=B21", "TYPE=B31"),
         ("shells", MODEL, "*SHELL SECTION\n*STEP"),
         ("restrained warping", "TYPE=B21", "TYPE=B31OS"),
-        ("`*NORMAL`", MODEL, "*NORMAL\n1, 2, 0., 0., 1.\n*STEP"),
+        ("tilt its section", MODEL, "*NORMAL\nBEAM, 2, 0., 0., 1.\n*STEP"),
         ("(`*TRS`)", MODEL, "*TRS\n*STEP"),
         ("rubber that softens", MODEL, "*MULLINS EFFECT\n*STEP"),
         ("heat conduction", HISTORY, "*HEAT TRANSFER\n*END STEP"),

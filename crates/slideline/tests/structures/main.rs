@@ -2,6 +2,7 @@
 
 mod axes_of_elements;
 mod balance;
+mod beam_normals;
 mod beam_sections;
 mod beam_stresses;
 mod coupling_weights;
