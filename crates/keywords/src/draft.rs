@@ -32,7 +32,7 @@ pub(crate) use cards::{
 };
 pub(crate) use contents::Contents;
 pub(crate) use elements::{Element, ElementKind, MOST_NODES};
-pub(crate) use heat::{Heat, StressLine};
+pub(crate) use heat::{HardeningLine, Heat, StressLine};
 pub(crate) use owner::Owner;
 pub(crate) use properties::PropertyChange;
 pub(crate) use sections::{
@@ -128,6 +128,8 @@ pub(crate) struct Draft {
     pub initial_temperatures: Vec<Heat>,
     /// Stresses before the first step.
     pub initial_stresses: Vec<StressLine>,
+    /// Plastic strains before the first step.
+    pub initial_hardening: Vec<HardeningLine>,
     /// Values of names.
     pub parameters: Values,
     /// Names whose values are numbers that follow from no other.

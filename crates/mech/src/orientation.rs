@@ -50,6 +50,13 @@ impl Orientations {
             }
         }
     }
+
+    /// Those of the parts of the elements: `begin` has where the parts of each begin, and their end.
+    pub fn parted(&self, begin: &[usize]) -> Self {
+        let places = begin.windows(2).enumerate();
+        let wholes = places.flat_map(|(place, ends)| (ends[0]..ends[1]).map(move |_| place));
+        self.chosen(&wholes.collect::<Vec<_>>())
+    }
 }
 
 /// What axes are given by.

@@ -55,7 +55,7 @@ pub use element::section::{
 };
 pub use element::table::{MOST_NODES, TYPES, element_type, types};
 pub use friction::{Decay, Friction, StickRule};
-pub use initial_stress::InitialStress;
+pub use initial_stress::{InitialHardening, InitialStress};
 pub use kept_shape::KeptShape;
 pub use load::{Distributed, Load, Pressed, Pressure};
 pub use model::Model;

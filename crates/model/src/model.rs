@@ -4,7 +4,7 @@ use crate::amplitude::Amplitude;
 use crate::contact::ContactPair;
 use crate::dialect::Dialect;
 use crate::element::block::{Allowable, ElementBlock};
-use crate::initial_stress::InitialStress;
+use crate::initial_stress::{InitialHardening, InitialStress};
 use crate::kept_shape::KeptShape;
 use crate::node::{Dof, LinearConstraint, NodeIndex, NodeSet, Nodes, RigidLink};
 use crate::step::Step;
@@ -48,6 +48,8 @@ pub struct Model {
     pub initial_temperatures: Vec<Temperature>,
     /// Stresses before the first step; a later one counts where two are of one point.
     pub initial_stresses: Vec<InitialStress>,
+    /// Plastic strain before the first step; a later one counts where two are of one element.
+    pub initial_hardening: Vec<InitialHardening>,
     /// Named amplitudes.
     pub amplitudes: Vec<Amplitude>,
     /// Steps, in order.

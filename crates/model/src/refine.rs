@@ -19,7 +19,8 @@ mod temperatures;
 
 use crate::contact::{ContactElement, Master};
 use crate::element::block::{Element, Elements};
-use crate::initial_stress::InitialStress;
+use crate::element::section::Section;
+use crate::initial_stress::{InitialHardening, InitialStress};
 use crate::model::Model;
 use crate::node::{Dof, Node, NodeIndex, RigidLink};
 use crate::presence::{ElementIndex, Presence};
@@ -44,6 +45,13 @@ pub fn refine(model: &Model) -> Result<Model, Box<Diagnostic>> {
     halving.sets(model);
     temperatures::fill(&mut halving.model, &halving.added)?;
     Ok(halving.model)
+}
+
+/// The parts of elements have the axes of the whole.
+fn part_axes(section: &mut Section, begin: &[usize]) {
+    if let Section::Solid(solid) = section {
+        solid.orientation = solid.orientation.take().map(|all| all.parted(begin));
+    }
 }
 
 struct Halving {
@@ -149,6 +157,7 @@ impl Halving {
                 }
                 own.push(parts.len());
             }
+            part_axes(&mut block.section, &own);
             begin.push(own);
             block.elements = parts;
         }
@@ -165,6 +174,13 @@ impl Halving {
             let first = own.get(member).copied().unwrap_or_default();
             (first..own.get(member + 1).copied().unwrap_or(first)).map(move |part| (block, part))
         };
+        let hardening = std::mem::take(&mut self.model.initial_hardening);
+        self.model.initial_hardening = hardening
+            .into_iter()
+            .flat_map(|own| {
+                parts(&own.element).map(move |element| InitialHardening { element, ..own.clone() })
+            })
+            .collect();
         let stresses = std::mem::take(&mut self.model.initial_stresses);
         self.model.initial_stresses = stresses
             .into_iter()
@@ -177,6 +193,10 @@ impl Halving {
             let Presence { absent, begun, .. } = &mut step.presence;
             for list in [absent, begun] {
                 *list = list.iter().flat_map(parts).collect();
+            }
+            for changed in &mut step.sections {
+                let own = begin.get(changed.block).map_or(&[][..], Vec::as_slice);
+                part_axes(&mut changed.section, own);
             }
         }
     }

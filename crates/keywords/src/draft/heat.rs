@@ -1,4 +1,5 @@
-//! What lines of cards give before and in steps: temperatures of nodes, stresses of elements.
+//! What lines of cards give before and in steps: temperatures of nodes, stresses and plastic strains of
+//! elements.
 
 use slideline_diag::Span;
 use slideline_model::Temperature;
@@ -26,6 +27,17 @@ pub(crate) struct StressLine {
     pub target_span: Span,
     /// The integration point, from 0; `None`: all.
     pub point: Option<usize>,
+    pub values: Vec<f64>,
+    pub origin: Span,
+}
+
+/// A line of `*INITIAL CONDITIONS, TYPE=HARDENING`.
+#[derive(Clone, Debug)]
+pub(crate) struct HardeningLine {
+    pub target: Target,
+    pub target_span: Span,
+    pub plastic_strain: f64,
+    /// Components of the first back stress.
     pub values: Vec<f64>,
     pub origin: Span,
 }

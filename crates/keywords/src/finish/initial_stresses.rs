@@ -1,21 +1,23 @@
-//! `*INITIAL CONDITIONS, TYPE=STRESS`: stresses of elements before the first step.
+//! `*INITIAL CONDITIONS`: stresses and plastic strains of elements before the first step.
 
 use std::collections::{HashMap, HashSet};
 
-use slideline_diag::{Code, Diagnostic};
+use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::material::{Conditions, Prestressed};
 use slideline_model::{
-    Dialect, ElementBlock, ElementIndex, InitialStress, Kinematics, Material, Section,
+    Dialect, ElementBlock, ElementIndex, InitialHardening, InitialStress, Kinematics, Material,
+    Section,
 };
 
-use crate::draft::{Draft, StressLine};
+use crate::draft::{Draft, HardeningLine, StressLine};
 use crate::log::Target;
 use crate::rule::Subject;
 
 /// Gives the elements their stresses, and their materials room to keep them.
 pub(super) fn stresses(draft: &mut Draft) {
     let lines = std::mem::take(&mut draft.initial_stresses);
-    if lines.is_empty() {
+    let hardened = std::mem::take(&mut draft.initial_hardening);
+    if lines.is_empty() && hardened.is_empty() {
         return;
     }
     let blocks = draft.model.blocks.iter().enumerate();
@@ -25,15 +27,18 @@ pub(super) fn stresses(draft: &mut Draft) {
             elements.map(move |(member, element)| (element.label, (block, member)))
         })
         .collect();
+    harden(&hardened, &places, draft);
+    let hardened: HashMap<ElementIndex, InitialHardening> =
+        draft.model.initial_hardening.iter().map(|own| (own.element, own.clone())).collect();
     let mut refused = HashSet::new();
     let mut all = Vec::new();
     for line in &lines {
-        for label in labels(line, draft) {
+        for label in labels(&line.target, line.target_span, draft) {
             let Some(&element) = places.get(&label) else { continue };
             if refused.contains(&element.0) {
                 continue;
             }
-            match stress(line, element, draft) {
+            match stress(line, element, &hardened, draft) {
                 Some(own) => all.push(own),
                 None => {
                     refused.insert(element.0);
@@ -54,16 +59,90 @@ pub(super) fn stresses(draft: &mut Draft) {
     draft.model.initial_stresses = all;
 }
 
-fn labels(line: &StressLine, draft: &mut Draft) -> Vec<u64> {
-    match &line.target {
+/// Gives the elements their plastic strains.
+fn harden(lines: &[HardeningLine], places: &HashMap<u64, ElementIndex>, draft: &mut Draft) {
+    let mut refused = HashSet::new();
+    for line in lines {
+        for label in labels(&line.target, line.target_span, draft) {
+            let Some(&element) = places.get(&label) else { continue };
+            if refused.contains(&element.0) {
+                continue;
+            }
+            match hardening(line, element, draft) {
+                Some(own) => draft.model.initial_hardening.push(own),
+                None => {
+                    refused.insert(element.0);
+                }
+            }
+        }
+    }
+}
+
+/// The plastic strain of one element; complains where it has none.
+fn hardening(
+    line: &HardeningLine,
+    element: ElementIndex,
+    draft: &mut Draft,
+) -> Option<InitialHardening> {
+    let block = &draft.model.blocks[element.0];
+    let places = components(block);
+    let mut back_stress = [0.0; 6];
+    places.iter().zip(&line.values).for_each(|(&place, value)| back_stress[place] = *value);
+    // a back stress has no mean: what a line cannot say follows
+    match places.len() {
+        1 => (back_stress[1], back_stress[2]) = (-0.5 * back_stress[0], -0.5 * back_stress[0]),
+        3 => back_stress[2] = -back_stress[0] - back_stress[1],
+        _ => {}
+    }
+    let own = InitialHardening {
+        element,
+        plastic_strain: line.plastic_strain,
+        back_stress,
+        origin: line.origin,
+    };
+    if line.values.iter().skip(places.len()).any(|part| *part != 0.0) {
+        let (word, count) = (block.word(), places.len());
+        let message = format!("{word} has {count} components of a back stress");
+        let error = Diagnostic::error(Code("SL0209"), message).at(line.origin);
+        draft.consequence(Subject::Elements, error);
+        return None;
+    }
+    if begun(block, Some(&own)).is_none() {
+        let why = match back_stress == [0.0; 6] {
+            true => "does not yield",
+            false => "has no yield surface that moves",
+        };
+        let message =
+            format!("the material of {} {why}: it has no such initial hardening", block.name);
+        let error = Diagnostic::error(Code("SL0385"), message).at(line.origin);
+        let help =
+            "plastic strain belongs to *PLASTIC, a back stress to HARDENING=KINEMATIC or COMBINED";
+        draft.consequence(Subject::Properties, error.help(help));
+        return None;
+    }
+    Some(own)
+}
+
+/// The state of the law of a block with this hardening; `None`: it has none.
+fn begun(block: &ElementBlock, own: Option<&InitialHardening>) -> Option<Vec<f64>> {
+    let Section::Solid(section) = &block.section else { return None };
+    let mut state = vec![0.0; section.material.states()];
+    let sound = own.is_none_or(|own| {
+        section.material.harden(own.plastic_strain, &own.back_stress, &mut state)
+    });
+    sound.then_some(state)
+}
+
+fn labels(target: &Target, span: Span, draft: &mut Draft) -> Vec<u64> {
+    match target {
         Target::Set(set) => {
-            let found = draft.elements_of(set, line.target_span).unwrap_or_default();
+            let found = draft.elements_of(set, span).unwrap_or_default();
             found.into_iter().map(|own| draft.elements[own].label).collect()
         }
         Target::Label(label) => {
             if !draft.element_by_label.contains_key(label) {
                 let message = format!("element {label} is not defined");
-                let error = Diagnostic::error(Code("SL0308"), message).at(line.target_span);
+                let error = Diagnostic::error(Code("SL0308"), message).at(span);
                 draft.consequence(Subject::Elements, error);
             }
             vec![*label]
@@ -72,7 +151,12 @@ fn labels(line: &StressLine, draft: &mut Draft) -> Vec<u64> {
 }
 
 /// The stress of one element; complains where it has none.
-fn stress(line: &StressLine, element: ElementIndex, draft: &mut Draft) -> Option<InitialStress> {
+fn stress(
+    line: &StressLine,
+    element: ElementIndex,
+    hardened: &HashMap<ElementIndex, InitialHardening>,
+    draft: &mut Draft,
+) -> Option<InitialStress> {
     let block = &draft.model.blocks[element.0];
     let (word, points) = (block.word(), block.kind.points);
     if let Some((what, help)) = refusal(block, draft.model.dialect) {
@@ -98,9 +182,10 @@ fn stress(line: &StressLine, element: ElementIndex, draft: &mut Draft) -> Option
     let mut stress = [0.0; 6];
     places.iter().zip(&line.values).for_each(|(&place, value)| stress[place] = *value);
     let Section::Solid(section) = &block.section else { return None };
+    let state = begun(block, hardened.get(&element)).unwrap_or_default();
     let bears = [false, true].into_iter().all(|large| {
         let under = Conditions { large, ..Conditions::default() };
-        section.material.strain_to(&stress, &under).is_some()
+        section.material.strain_to(&stress, &under, &state).is_some()
     });
     if !bears {
         let message = format!("the material of {} does not bear this initial stress", block.name);

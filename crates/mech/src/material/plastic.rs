@@ -83,6 +83,20 @@ impl Plastic {
         BACK + 6 * self.back_stresses.len()
     }
 
+    /// Begins a point with an equivalent plastic strain [1] and a first back stress [F/L2], of which the
+    /// deviator counts; false where no back stress can be.
+    pub(super) fn harden(&self, strain: f64, first: &Symmetric, state: &mut [f64]) -> bool {
+        let moves = first.iter().any(|part| *part != 0.0);
+        if state.len() < self.states() || (moves && self.back_stresses.is_empty()) {
+            return false;
+        }
+        state[PEEQ] = strain;
+        if moves {
+            state[BACK..BACK + 6].copy_from_slice(&deviator(first));
+        }
+        true
+    }
+
     /// Yield stress and its slope at an equivalent plastic strain.
     pub(super) fn yield_stress(&self, strain: f64) -> [f64; 2] {
         yield_stress(&self.table, strain)

@@ -263,3 +263,19 @@ fn bounds_of_constants() {
     (general[0][3], general[3][0]) = (4.0, 4.0);
     assert_eq!(Anisotropic::general(&general), Err(Unsound::Energy(4)));
 }
+
+/// Requirement: parts of elements have the axes of the whole, chosen elements their own.
+#[test]
+fn axes_of_many_elements() {
+    let turned =
+        |angle: f64| Orientation { basis: Basis::Nodes([0, 1, 2]), turn: Some((2, angle)) };
+    let all = Orientations::Each([0.1, 0.2, 0.3].map(turned).into());
+    let angles = |all: &Orientations, count: usize| -> Vec<f64> {
+        (0..count).map(|place| all.of(place).unwrap().turn.unwrap().1).collect()
+    };
+    assert_eq!(angles(&all.chosen(&[2, 0]), 2), [0.3, 0.1]);
+    assert_eq!(angles(&all.parted(&[0, 2, 2, 3]), 3), [0.1, 0.1, 0.3]);
+    assert_eq!(all.of(3), None);
+    let one = Orientations::All(turned(0.4));
+    assert_eq!(angles(&one.parted(&[0, 2]).chosen(&[7]), 5), [0.4; 5]);
+}

@@ -181,3 +181,118 @@ fn a_surface_that_grows_exponentially() {
     }
     assert!(before > 0.08, "{before}");
 }
+
+/// The cube with cards of the model behind its material.
+fn begun(plastic: &str, nlgeom: &str, initial: &str, travels: &[f64]) -> String {
+    cube(plastic, "C3D8", nlgeom, travels).replacen("*STEP", &format!("{initial}*STEP"), 1)
+}
+
+/// Requirement: a metal with plastic strain behind it yields at the stress of that strain: by hand, s =
+/// 22 + 100 p with p = (.05 - .022)/1.1 more; and as one whose table begins there, pulled and pressed, with
+/// small and with large strain. The told strain counts on. Source: Abaqus manual, `*INITIAL CONDITIONS`
+/// (HARDENING). Tolerance: rounding.
+#[test]
+fn plastic_strain_before_the_first_step() {
+    let plastic = "*PLASTIC\n20., 0.\n30., .1\n40., .4\n";
+    let initial = "*INITIAL CONDITIONS, TYPE=HARDENING\nE, 0.02\n";
+    let (ends, _) = run("before", &begun(plastic, "", initial, &[0.05]), Dialect::Abaqus);
+    let more = (0.05 - 0.022) / 1.1;
+    near(ends[0][0], 22.0 + 100.0 * more, 1e-6, "stress");
+    near(ends[0][1], 0.02 + more, 1e-9, "strain");
+    let shifted = "*PLASTIC\n22., 0.\n30., .08\n40., .38\n";
+    for nlgeom in ["", ", NLGEOM"] {
+        let travels = [0.15, -0.1];
+        let (own, _) = run("own", &begun(plastic, nlgeom, initial, &travels), Dialect::Abaqus);
+        let (other, _) = run("shifted", &cube(shifted, "C3D8", nlgeom, &travels), Dialect::Abaqus);
+        for (own, other) in own.iter().zip(&other) {
+            near(own[0], other[0], 1e-7, "stress");
+            near(own[1], other[1] + 0.02, 1e-9, "strain");
+        }
+    }
+}
+
+/// The reaction along x of the last increment.
+fn pull(name: &str, deck: &str) -> f64 {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("hardening").join(name);
+    let _ = std::fs::remove_dir_all(&folder);
+    let read = Job::read_text("job", deck, &ReadOptions::default());
+    let options = RunOptions { folder: Some(folder.clone()), ..RunOptions::default() };
+    let outcome = slideline::run(&read, &options, &mut Quiet);
+    assert_eq!(outcome.status, Status::Completed, "{:#?} {:#?}", read.diagnostics, outcome);
+    let text = std::fs::read_to_string(folder.join("job.history.csv")).unwrap();
+    text.lines().last().unwrap().split(',').nth(7).unwrap().parse().unwrap()
+}
+
+/// Requirement: a back stress before the first step is the centre of the yield surface: with 2/3 X along the
+/// pull and -X/3 across, X = 6, it yields at 26 in tension and at -14 in pressure, and grows on with
+/// linear kinematic hardening. By hand, small strain. Tolerance: rounding.
+#[test]
+fn back_stress_before_the_first_step() {
+    let plastic = "*PLASTIC, HARDENING=KINEMATIC\n20., 0.\n30., .1\n";
+    let initial = "*INITIAL CONDITIONS, TYPE=HARDENING\nE, 0.06, 4., -2., -2.\n";
+    for (travel, yields) in [(0.05, 26.0), (-0.05, -14.0)] {
+        let (ends, _) = run("centre", &begun(plastic, "", initial, &[travel]), Dialect::Abaqus);
+        let more = (travel - yields / 1000.0) / 1.1;
+        near(ends[0][0], yields + 100.0 * more, 1e-6, "stress");
+        near(ends[0][1], 0.06 + more.abs(), 1e-9, "strain");
+    }
+    // in plane stress, and of a truss, the components that a line cannot have follow
+    let flat = |kind: &str, nodes: &str, held: &str, back: &str| {
+        format!(
+            "*NODE\n1, 0., 0.\n2, 1., 0.\n3, 1., 1.\n4, 0., 1.\n*ELEMENT, TYPE={kind}, ELSET=E\n1, {nodes}\n\
+             *SOLID SECTION, ELSET=E, MATERIAL=M\n1.\n*MATERIAL, NAME=M\n*ELASTIC\n1000., .3\n{plastic}\
+             *INITIAL CONDITIONS, TYPE=HARDENING\nE, 0.06, {back}\n*STEP\n*STATIC\n0.1, 1., 1e-5, 0.1\n\
+             *BOUNDARY\n{held}*EL FILE\nS, PEEQ\n*END STEP\n"
+        )
+    };
+    let sheet = flat(
+        "CPS4",
+        "1, 2, 3, 4",
+        "1, 1, 2\n2, 2\n4, 1\n2, 1, 1, 0.05\n3, 1, 1, 0.05\n",
+        "4., -2.",
+    );
+    let bar = flat("T2D2", "1, 2", "1, 1, 2\n2, 2\n2, 1, 1, 0.05\n", "4.");
+    let exact = 26.0 + 100.0 * (0.05 - 0.026) / 1.1;
+    let (ends, _) = run("sheet", &sheet, Dialect::Abaqus);
+    near(ends[0][0], exact, 1e-6, "sheet");
+    near(pull("bar", &bar), exact, 1e-6, "bar");
+}
+
+/// Requirement: a stress before the first step must lie within the yield surface as it is hardened, and
+/// stays where the body is held; what has no hardening is refused. Tolerance: rounding.
+#[test]
+fn hardened_under_stress() {
+    let plastic = "*PLASTIC\n20., 0.\n30., .1\n";
+    let stressed = "*INITIAL CONDITIONS, TYPE=STRESS\nE, 25.\n";
+    let hardened = "*INITIAL CONDITIONS, TYPE=HARDENING\nE, 0.06\n";
+    let errors = |deck: &str, dialect: Dialect| -> Vec<&'static str> {
+        let reading = ReadOptions { dialect: Some(dialect), ..ReadOptions::default() };
+        let said = Job::read_text("job", deck, &reading).diagnostics;
+        let errors = said.iter().filter(|own| own.severity.word() == "error");
+        errors.map(|own| own.code.0).collect()
+    };
+    let both = begun(plastic, "", &format!("{stressed}{hardened}"), &[0.0]);
+    let (ends, _) = run("both", &both, Dialect::Abaqus);
+    // free across: 25 along x stays
+    near(ends[0][0], 25.0, 1e-6, "stress");
+    near(ends[0][1], 0.06, 1e-12, "strain");
+    let moved = "*INITIAL CONDITIONS, TYPE=HARDENING\nE, 0.06, 4., -2., -2.\n";
+    for (plastic, initial, dialect, code) in [
+        (plastic, stressed, Dialect::Abaqus, "SL0385"),
+        (plastic, moved, Dialect::Abaqus, "SL0385"),
+        ("", hardened, Dialect::Abaqus, "SL0385"),
+        (plastic, "*INITIAL CONDITIONS, TYPE=HARDENING\nE, -0.06\n", Dialect::Abaqus, "SL0210"),
+        (plastic, "*INITIAL CONDITIONS, TYPE=HARDENING\nF, 0.06\n", Dialect::Abaqus, "SL0308"),
+        (plastic, hardened, Dialect::Calculix, "SL0221"),
+        (
+            plastic,
+            "*INITIAL CONDITIONS, TYPE=PLASTIC STRAIN\n1, 1, 0.1\n",
+            Dialect::Calculix,
+            "SL0221",
+        ),
+        (plastic, "*INITIAL CONDITIONS, TYPE=HARDNING\nE, 0.06\n", Dialect::Abaqus, "SL0207"),
+    ] {
+        let found = errors(&begun(plastic, "", initial, &[0.0]), dialect);
+        assert_eq!(found, [code], "{initial}");
+    }
+}

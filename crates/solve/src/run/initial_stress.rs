@@ -1,4 +1,4 @@
-//! Stress before the first step.
+//! Stress and plastic strain before the first step.
 //!
 //! ```text
 //!   residual |o        what the initial stress leaves unbalanced
@@ -14,12 +14,13 @@ use crate::constraints::Role;
 use crate::start::Start;
 use crate::structure::Held;
 use slideline_mech::material::Conditions;
-use slideline_model::{ElementBlock, InitialStress, Section};
+use slideline_model::{ElementBlock, ElementIndex, InitialStress, Section};
 
 impl Analysis<'_> {
     /// Elements begin with their initial stresses. What these leave unbalanced at dofs that are free
     /// becomes a load that ramps off over the first step.
     pub(super) fn begin_stressed(&mut self, start: &mut Start<'static>) {
+        self.place_hardening();
         if self.model.initial_stresses.is_empty() {
             return;
         }
@@ -51,19 +52,37 @@ impl Analysis<'_> {
         energy.material_dissipation += held.dissipated;
     }
 
+    /// Writes plastic strains before the first step into the state of their elements.
+    fn place_hardening(&mut self) {
+        for own in &self.model.initial_hardening {
+            let block = &self.model.blocks[own.element.0];
+            let Section::Solid(section) = &block.section else { continue };
+            let (first, width) = (self.first_state(own.element), block.point_states());
+            for point in 0..block.kind.points {
+                let at = first + width * point;
+                let Some(state) = self.committed.elements.get_mut(at..at + width) else { break };
+                section.material.harden(own.plastic_strain, &own.back_stress, state);
+            }
+        }
+    }
+
+    /// Where the state variables of an element begin.
+    fn first_state(&self, (block, member): ElementIndex) -> usize {
+        let before = self.model.blocks[..block].iter();
+        let before: usize = before.map(|own| own.states() * own.elements.len()).sum();
+        before + self.model.blocks[block].states() * member
+    }
+
     /// Writes the initial stresses into the state of their elements.
     fn place_stresses(&mut self) {
         let large = self.model.steps[0].nlgeom;
         for own in &self.model.initial_stresses {
             let (block, member) = own.element;
             let model = &self.model.blocks[block];
-            let Some(strain) = strain_before(model, own, large) else { continue };
-            let before: usize = self.model.blocks[..block]
-                .iter()
-                .map(|own| own.states() * own.elements.len())
-                .sum();
-            let first = before + model.states() * member;
+            let first = self.first_state((block, member));
             let width = model.point_states();
+            let state = self.committed.elements.get(first..first + width).unwrap_or(&[]);
+            let Some(strain) = strain_before(model, own, large, state) else { continue };
             let points = own.point.map_or(0..model.kind.points, |point| point..point + 1);
             for point in points {
                 let at = first + width * point;
@@ -73,8 +92,15 @@ impl Analysis<'_> {
     }
 }
 
-/// What a point has been strained by before it is undeformed; `None`: its material takes no stress.
-fn strain_before(block: &ElementBlock, own: &InitialStress, large: bool) -> Option<[f64; 6]> {
+/// What a point of this state has been strained by before it is undeformed; `None`: its material
+/// takes no stress.
+fn strain_before(
+    block: &ElementBlock,
+    own: &InitialStress,
+    large: bool,
+    state: &[f64],
+) -> Option<[f64; 6]> {
     let Section::Solid(section) = &block.section else { return None };
-    section.material.strain_before(&own.stress, &Conditions { large, ..Conditions::default() })
+    let under = Conditions { large, ..Conditions::default() };
+    section.material.strain_before(&own.stress, &under, state)
 }

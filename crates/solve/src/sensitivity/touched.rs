@@ -62,6 +62,7 @@ fn is_placed_alike(one: &Model, other: &Model) -> bool {
         && one.linear_constraints == other.linear_constraints
         && one.shapes == other.shapes
         && one.initial_stresses == other.initial_stresses
+        && one.initial_hardening == other.initial_hardening
         && one.contact_pairs.iter().zip(&other.contact_pairs).all(alike)
         && steps.into_iter().all(|(one, other)| one.interferences == other.interferences)
 }
