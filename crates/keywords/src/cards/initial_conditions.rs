@@ -41,10 +41,9 @@ impl Keyword for InitialConditions {
                 let lines = temperatures::lines(card, draft);
                 draft.initial_temperatures.extend(lines);
             }
-            Some("STRESS") => {
-                let lines: Vec<StressLine> =
-                    card.data().iter().filter_map(|line| stress(line, draft)).collect();
-                draft.initial_stresses.extend(lines);
+            Some("STRESS") => stresses(false, card, draft),
+            Some("PLASTICSTRAIN") if draft.dialect == Dialect::Calculix => {
+                stresses(true, card, draft);
             }
             Some("HARDENING") if draft.dialect == Dialect::Abaqus => hardened(card, draft),
             other => otherwise(other.unwrap_or_default(), card, draft),
@@ -61,7 +60,7 @@ const WITHOUT_EFFECT: [(&str, &str); 3] = [
 
 /// Kinds of other programs or analyses, and what to do instead.
 const NOT_READ: [(&str, &str); 16] = [
-    ("PLASTIC STRAIN", "give the stress that it leaves: TYPE=STRESS"),
+    ("PLASTIC STRAIN", "Abaqus gives the equivalent one: TYPE=HARDENING"),
     ("HARDENING", "CalculiX has none: leave it out, or read the deck in Abaqus' dialect"),
     ("DISPLACEMENT", "move the nodes in a first step: *BOUNDARY"),
     ("SOLUTION", "state variables of a user material begin as that material says"),
@@ -142,8 +141,15 @@ fn hardening(line: &DataLine, draft: &mut Draft) -> Option<HardeningLine> {
     })
 }
 
+/// Reads the lines of TYPE=STRESS, or of strains.
+fn stresses(strains: bool, card: &Reading<'_>, draft: &mut Draft) {
+    let lines: Vec<StressLine> =
+        card.data().iter().filter_map(|line| stress(line, strains, draft)).collect();
+    draft.initial_stresses.extend(lines);
+}
+
 /// `element or set, components`, in the dialect of CalculiX `element or set, point, components`.
-fn stress(line: &DataLine, draft: &mut Draft) -> Option<StressLine> {
+fn stress(line: &DataLine, strains: bool, draft: &mut Draft) -> Option<StressLine> {
     let target = draft.log.target(line, 0, "the element or set")?;
     let calculix = draft.dialect == Dialect::Calculix;
     let point = match calculix {
@@ -159,6 +165,7 @@ fn stress(line: &DataLine, draft: &mut Draft) -> Option<StressLine> {
         target,
         target_span: line.fields.first()?.span,
         point,
+        strains,
         values: values.into_iter().collect::<Option<_>>()?,
         origin: line.span,
     })

@@ -20,13 +20,15 @@ pub(crate) struct Heat {
     pub origin: Span,
 }
 
-/// A line of `*INITIAL CONDITIONS, TYPE=STRESS`.
+/// A line of `*INITIAL CONDITIONS, TYPE=STRESS`, or of CalculiX' PLASTIC STRAIN.
 #[derive(Clone, Debug)]
 pub(crate) struct StressLine {
     pub target: Target,
     pub target_span: Span,
     /// The integration point, from 0; `None`: all.
     pub point: Option<usize>,
+    /// Whether the values are strains that the law does not see.
+    pub strains: bool,
     pub values: Vec<f64>,
     pub origin: Span,
 }

@@ -182,19 +182,36 @@ fn stress(
     let mut stress = [0.0; 6];
     places.iter().zip(&line.values).for_each(|(&place, value)| stress[place] = *value);
     let Section::Solid(section) = &block.section else { return None };
+    let left = if line.strains { left_by(&stress, &section.material) } else { Some(stress) };
+    let stress = left.unwrap_or_default();
     let state = begun(block, hardened.get(&element)).unwrap_or_default();
-    let bears = [false, true].into_iter().all(|large| {
-        let under = Conditions { large, ..Conditions::default() };
-        section.material.strain_to(&stress, &under, &state).is_some()
-    });
+    let bears = left.is_some()
+        && [false, true].into_iter().all(|large| {
+            let under = Conditions { large, ..Conditions::default() };
+            section.material.strain_to(&stress, &under, &state).is_some()
+        });
     if !bears {
         let message = format!("the material of {} does not bear this initial stress", block.name);
         let error = Diagnostic::error(Code("SL0385"), message).at(line.origin);
-        let help = "an initial stress must lie within the yield surface, and far below the modulus";
+        let help = "an initial stress must lie within the yield surface, and far below the modulus; so must \
+                    what an initial strain leaves";
         draft.consequence(Subject::Properties, error.help(help));
         return None;
     }
     Some(InitialStress { element, point: line.point, stress, origin: line.origin })
+}
+
+/// The stress that an inelastic strain leaves in a body that keeps its shape; `None`: it yields.
+fn left_by(strain: &[f64; 6], material: &Material) -> Option<[f64; 6]> {
+    const PLACES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
+    let mut gradient = [[0.0; 3]; 3];
+    for ((i, j), own) in PLACES.into_iter().zip(strain) {
+        (gradient[i][j], gradient[j][i]) = (-own, -own);
+    }
+    let mut state = vec![0.0; material.states()];
+    let rest = state.clone();
+    let answer = material.respond(&gradient, &Conditions::default(), &rest, &mut state);
+    (state == rest).then_some(answer.stress)
 }
 
 /// Why elements of a block have no initial stress, and what to do.

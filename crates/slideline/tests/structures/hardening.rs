@@ -287,7 +287,7 @@ fn hardened_under_stress() {
         (
             plastic,
             "*INITIAL CONDITIONS, TYPE=PLASTIC STRAIN\n1, 1, 0.1\n",
-            Dialect::Calculix,
+            Dialect::Abaqus,
             "SL0221",
         ),
         (plastic, "*INITIAL CONDITIONS, TYPE=HARDNING\nE, 0.06\n", Dialect::Abaqus, "SL0207"),

@@ -306,3 +306,46 @@ fn stresses_are_saved_and_forgotten_with_the_state() {
     let last = straight.rows.last().unwrap();
     assert!(last.reaction.iter().all(|own| own.abs() < 1e-5), "nothing pulls: {last:?}");
 }
+
+/// Requirement: a strain that the law does not see lets a free body grow by it without stress, with shear too,
+/// and leaves -E times it where the body is held along one axis; a metal must not yield. Source: CalculiX subtracts it from the strain of the law. Small
+/// strain, rounding; with NLGEOM the square of the strain.
+#[test]
+fn a_strain_that_the_law_does_not_see() {
+    let strain = [1e-3, -4e-4, 2e-4, 3e-4, -1e-4, 2e-4];
+    let deck = |strain: [f64; 6], held: &str, more: &str, step: &str| {
+        let values: Vec<String> = strain.iter().map(|own| format!("{own:?}")).collect();
+        let lines: String =
+            (1..9).map(|point| format!("E, {point}, {}\n", values.join(", "))).collect();
+        format!(
+            "*NODE\n1, 0., 0., 0.\n2, 1., 0., 0.\n3, 1., 1., 0.\n4, 0., 1., 0.\n5, 0., 0., 1.\n6, 1., 0., 1.\n\
+             7, 1., 1., 1.\n8, 0., 1., 1.\n*ELEMENT, TYPE=C3D8, ELSET=E\n1, 1, 2, 3, 4, 5, 6, 7, 8\n\
+             *SOLID SECTION, ELSET=E, MATERIAL=M\n*MATERIAL, NAME=M\n*ELASTIC\n1000., .3\n{more}\
+             *INITIAL CONDITIONS, TYPE=PLASTIC STRAIN\n{lines}*STEP{step}\n*STATIC\n.5, 1.\n*BOUNDARY\n{held}\
+             *END STEP\n"
+        )
+    };
+    // three nodes hold the rigid motions: 1 all, 2 two, 4 one
+    let free = "1, 1, 3\n2, 2, 3\n4, 3\n";
+    for (step, tolerance) in [("", 1e-12), (", NLGEOM", 2e-6)] {
+        let rows = run(&deck(strain, free, "*PLASTIC\n20., 0.\n", step), Dialect::Calculix).rows;
+        let last = rows.last().unwrap();
+        let [xx, yy, zz, xy, xz, yz] = strain;
+        // of the simple shears that nodes 1, 2, 4 leave: u = xx x + 2 xy y + 2 xz z, v = yy y + 2 yz z
+        let corner = &last.motion[3 * 6..3 * 6 + 3];
+        let exact = [xx + 2.0 * xy + 2.0 * xz, yy + 2.0 * yz, zz];
+        for (found, exact) in corner.iter().zip(exact) {
+            assert!((found - exact).abs() < tolerance, "{step} {corner:?} {exact:?}");
+        }
+        let largest = last.reaction.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
+        assert!(largest < 1e-6, "{step} {largest}");
+    }
+    let sides = "1, 1, 3\n2, 1, 3\n3, 1\n4, 1\n3, 3\n4, 3\n5, 1, 2\n6, 1, 2\n7, 1\n8, 1\n";
+    let rows = run(&deck([1e-3, 0.0, 0.0, 0.0, 0.0, 0.0], sides, "", ""), Dialect::Calculix).rows;
+    let pull: f64 = [1, 2, 5, 6].iter().map(|&node| rows.last().unwrap().reaction[3 * node]).sum();
+    assert!((pull + 1.0).abs() < 1e-9, "{pull}");
+    let yielding = deck([0.1, 0.0, 0.0, 0.0, 0.0, 0.0], free, "*PLASTIC\n20., 0.\n", "");
+    let options = ReadOptions { dialect: Some(Dialect::Calculix), ..ReadOptions::default() };
+    let said = Job::read_text("stress", &yielding, &options).diagnostics;
+    assert!(said.iter().any(|own| own.code.0 == "SL0385"), "{said:#?}");
+}
