@@ -82,11 +82,10 @@ impl Normals {
         let each: Option<Vec<[f64; 3]>> = (0..at.len())
             .map(|place| {
                 let along = tangent(&at, place);
-                let axes = match given[place] {
+                match given[place] {
                     Some((normal, _)) => section_axes(along, normal).map(|[t, n2, _]| cross(n2, t)),
                     None => section_axes(along, plain).map(|[_, n1, _]| n1),
-                };
-                axes
+                }
             })
             .collect();
         let label = draft.elements[index].label;

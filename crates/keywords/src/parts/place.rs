@@ -4,7 +4,7 @@ use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{Node, SurfaceSegment};
 
 use super::renamed::Place;
-use crate::axes::{Distribution, Given, Transform};
+use crate::axes::{Distribution, Given, Orientation, Transform};
 use crate::draft::{Body, Contents, Draft, Gap, Normal, Section, Shape, Surface};
 use crate::instances::Placement;
 use crate::motion::Motion;
@@ -69,12 +69,29 @@ impl Draft {
         extend(&mut self.equations, own.equations, by);
         extend(&mut self.couplings, own.couplings, by);
         extend(&mut self.ties, own.ties, by);
-        let moved = own.transforms.into_iter().map(|transform| Transform {
+        self.place_axes((own.transforms, own.orientations, own.distributions), by, motion);
+        extend(&mut self.pre_tensions, own.pre_tensions, by);
+        extend(&mut self.shape_mpcs, own.shape_mpcs, by);
+        extend(&mut self.initial, own.initial, by);
+    }
+
+    /// Adds the axes of nodes and of materials, moved with the instance.
+    fn place_axes(
+        &mut self,
+        (transforms, orientations, distributions): (
+            Vec<Transform>,
+            Vec<Orientation>,
+            Vec<Distribution>,
+        ),
+        by: &Placement,
+        motion: &Motion,
+    ) {
+        let moved = transforms.into_iter().map(|transform| Transform {
             system: transform.system.moved(|x| motion.point(x), |way| motion.direction(way)),
             ..transform
         });
         extend(&mut self.transforms, moved.collect(), by);
-        let turned = own.orientations.into_iter().map(|mut orientation| {
+        let turned = orientations.into_iter().map(|mut orientation| {
             if let Given::System(system) = orientation.given {
                 let moved = system.moved(|x| motion.point(x), |way| motion.direction(way));
                 orientation.given = Given::System(moved);
@@ -82,12 +99,9 @@ impl Draft {
             orientation
         });
         extend(&mut self.orientations, turned.collect(), by);
-        let distributions = own.distributions.into_iter();
-        let moved = distributions.map(|own| Distribution { motion: Some(*motion), ..own });
+        let moved =
+            distributions.into_iter().map(|own| Distribution { motion: Some(*motion), ..own });
         extend(&mut self.distributions, moved.collect(), by);
-        extend(&mut self.pre_tensions, own.pre_tensions, by);
-        extend(&mut self.shape_mpcs, own.shape_mpcs, by);
-        extend(&mut self.initial, own.initial, by);
     }
 
     /// Moves analytical surfaces with their instance; complains about those that leave the plane.
