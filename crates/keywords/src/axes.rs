@@ -22,6 +22,8 @@ pub(crate) struct Orientation {
     pub given: Given,
     /// The axis, 0 to 2, and the angle about it [1].
     pub turn: Option<(usize, f64)>,
+    /// Directions of fibres along its axes, unit vectors.
+    pub directions: Vec<[f64; 3]>,
     /// Where the points stand.
     pub line: Span,
 }

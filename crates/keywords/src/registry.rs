@@ -3,10 +3,10 @@
 use slideline_deck::normalise;
 
 use crate::cards::{
-    allowable, amplitude, assembly, beam_general_section, beam_section, biaxial_test_data,
-    boundary, centroid, change_friction, change_material, change_plastic, change_solid_section,
-    change_surface_behavior, clearance, cload, contact, contact_controls, contact_exclusions,
-    contact_file, contact_inclusions, contact_initialization_assignment,
+    allowable, amplitude, anisotropic_hyperelastic, assembly, beam_general_section, beam_section,
+    biaxial_test_data, boundary, centroid, change_friction, change_material, change_plastic,
+    change_solid_section, change_surface_behavior, clearance, cload, contact, contact_controls,
+    contact_exclusions, contact_file, contact_inclusions, contact_initialization_assignment,
     contact_initialization_data, contact_interference, contact_output, contact_pair, contact_print,
     contact_property_assignment, controls, coupling, creep, cyclic_hardening,
     deformation_plasticity, density, distributing, distributing_coupling, distribution,
@@ -68,6 +68,7 @@ pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
     &expansion::Expansion,
     &hyperelastic::Hyperelastic,
     &hyperfoam::Hyperfoam,
+    &anisotropic_hyperelastic::AnisotropicHyperelastic,
     &deformation_plasticity::DeformationPlasticity,
     &uniaxial_test_data::UniaxialTestData,
     &biaxial_test_data::BiaxialTestData,

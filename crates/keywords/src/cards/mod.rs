@@ -9,6 +9,7 @@ macro_rules! page {
 
 pub(crate) mod allowable;
 pub(crate) mod amplitude;
+pub(crate) mod anisotropic_hyperelastic;
 pub(crate) mod assembly;
 pub(crate) mod beam_general_section;
 pub(crate) mod beam_section;

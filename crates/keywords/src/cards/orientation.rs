@@ -5,6 +5,7 @@
 //! ```
 
 use slideline_deck::{DataLine, normalise};
+use slideline_diag::{Code, Diagnostic};
 use slideline_model::System;
 
 use crate::axes::{Given, Orientation as Draught, system_of};
@@ -24,13 +25,13 @@ impl Keyword for Orientation {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] =
-            &[Rule::required("NAME"), Rule::value("SYSTEM"), Rule::value("DEFINITION")];
+        const RULES: &[Rule] = &[
+            Rule::required("NAME"),
+            Rule::value("SYSTEM"),
+            Rule::value("DEFINITION"),
+            Rule::value("LOCAL DIRECTIONS"),
+        ];
         RULES
-    }
-
-    fn without_effect(&self) -> &'static [&'static str] {
-        &["LOCAL DIRECTIONS"]
     }
 
     fn level(&self) -> Level {
@@ -67,7 +68,9 @@ impl Keyword for Orientation {
             draft.log.error("SL0215", message, card.span_of("DEFINITION"));
             return;
         }
-        draft.log.at_most_lines(card.data(), 2, self.name());
+        let fibres = card.at_least(1, "LOCAL DIRECTIONS", 0, &mut draft.log);
+        draft.log.at_most_lines(card.data(), 2 + fibres, self.name());
+        let Some(directions) = directions(card, fibres, draft) else { return };
         let given = match definition {
             "COORDINATES" if names_a_distribution(line) => {
                 draft.log.at_most(line, 1);
@@ -84,8 +87,24 @@ impl Keyword for Orientation {
             draft.log.error("SL0250", message, card.span_of("NAME"));
             return;
         }
-        draft.orientations.push(Draught { name, given, turn, line: line.span });
+        draft.orientations.push(Draught { name, given, turn, directions, line: line.span });
     }
+}
+
+/// Directions of fibres, a line each behind the points and the turn; `None` after an error.
+fn directions(card: &Reading<'_>, count: usize, draft: &mut Draft) -> Option<Vec<[f64; 3]>> {
+    let lines = card.data().get(2..2 + count);
+    let Some(lines) = lines.filter(|_| count > 0) else {
+        if count > 0 {
+            let message = "the lines with the local directions are missing";
+            let error = Diagnostic::error(Code("SL0208"), message);
+            let help =
+                "behind the points and the line of the further turn each has a line: x, y, z";
+            draft.log.push(error.at(card.span_of("LOCAL DIRECTIONS")).help(help));
+        }
+        return (count == 0).then(Vec::new);
+    };
+    lines.iter().map(|line| super::dload::direction(line, 0, draft)).collect()
 }
 
 /// Whether a line has a name in the place of points.

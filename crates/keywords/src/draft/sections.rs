@@ -4,9 +4,9 @@ use slideline_diag::Span;
 use slideline_mech::element::BeamHeat;
 use slideline_mech::material::hyperelastic::{Form, Mode};
 use slideline_mech::material::{
-    Anisotropic, BackStress, CreepHardening, Creeping, Elastic, Expanding, Expansion, Foam, Graded,
-    Growth, Hardening, LargeStrain, Plastic, PowerLaw, RambergOsgood, Relaxation, Rubber,
-    Viscoelastic,
+    Anisotropic, BackStress, CreepHardening, Creeping, Elastic, Expanding, Expansion, Fibrous,
+    Foam, Graded, Growth, Hardening, LargeStrain, Plastic, PowerLaw, RambergOsgood, Relaxation,
+    Rubber, Viscoelastic,
 };
 use slideline_model::{self as model, BeamSection, Dialect, Limit, Shape, ShearRule, SolidSection};
 use std::sync::Arc;
@@ -139,6 +139,8 @@ pub(crate) enum Elasticity {
     /// Rubber that its test data will give.
     Tested(Wanted),
     Foam(Foam),
+    /// Its fibres not laid yet.
+    Fibrous(Fibrous),
     /// Deformation plasticity.
     Deformation(RambergOsgood),
     /// A card that could not be read, which has been said.
@@ -153,6 +155,7 @@ impl Elasticity {
             Self::Anisotropic(_) | Self::Ply(_) => "is not isotropic",
             Self::Rubber(_) | Self::Tested(_) => "is rubber",
             Self::Foam(_) => "is foam",
+            Self::Fibrous(_) => "has fibres",
             Self::Deformation(_) => "has *DEFORMATION PLASTICITY",
         }
     }
@@ -227,7 +230,9 @@ impl Material {
             (Dialect::Calculix, _) | (_, Elasticity::Anisotropic(_) | Elasticity::Ply(_)) => {
                 Growth::Green
             }
-            (_, Elasticity::Rubber(_) | Elasticity::Foam(_)) => Growth::Length,
+            (_, Elasticity::Rubber(_) | Elasticity::Foam(_) | Elasticity::Fibrous(_)) => {
+                Growth::Length
+            }
             _ => Growth::Logarithmic,
         };
         Some(match self.expansion()? {
@@ -310,6 +315,7 @@ impl Material {
                 }
             },
             Elasticity::Foam(own) => Some(model::Material::Foam(own.clone())),
+            Elasticity::Fibrous(own) => Some(model::Material::Fibrous(Box::new(own.clone()))),
             Elasticity::Deformation(own) => Some(model::Material::RambergOsgood(Box::new(*own))),
             Elasticity::Unread | Elasticity::Tested(_) => None,
         }

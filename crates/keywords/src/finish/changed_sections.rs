@@ -13,6 +13,7 @@ use slideline_mech::material::Prestressed;
 use slideline_model::{ChangedSection, Material};
 
 use super::axes_of_elements::SectionAxes;
+use super::fibres;
 use super::materials::{in_plane_stress, lines_have_no_axes, material, no_material};
 use crate::draft::{Body, Draft, PropertyChange, Section, StepDraft, Yielding};
 use crate::rule::Subject;
@@ -167,7 +168,8 @@ impl ChangedSections {
         let claimed = [(own.kind, own.elements.clone())];
         in_plane_stress(&card, &claimed, draft);
         lines_have_no_axes(&card, &claimed, draft);
-        let Some(made) = material(&card, draft) else { return };
+        let made = material(&card, draft).and_then(|made| fibres::laid(&card, made, draft));
+        let Some(made) = made else { return };
         let made = axes.put_on(made, &own.elements, draft);
         let slideline_model::Section::Solid(before) = &own.section else { return };
         let slideline_model::Section::Solid(mut after) = made else { return };

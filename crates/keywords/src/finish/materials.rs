@@ -21,7 +21,10 @@ pub(super) fn lines_have_no_axes(
         return;
     };
     let elasticity = material.elasticity.as_ref().map(|own| &own.0);
-    let directed = matches!(elasticity, Some(Elasticity::Anisotropic(_) | Elasticity::Ply(_)));
+    let directed = matches!(
+        elasticity,
+        Some(Elasticity::Anisotropic(_) | Elasticity::Ply(_) | Elasticity::Fibrous(_))
+    );
     let expansion = material.expansion.as_ref().and_then(|(own, card)| Some((own.as_ref()?, card)));
     let uneven = expansion.filter(|(own, _)| !own.is_even()).map(|(_, card)| card.1);
     if bars && directed {
@@ -159,6 +162,7 @@ fn takes_time_soundly(material: &crate::draft::Material, draft: &mut Draft) -> b
         Elasticity::Anisotropic(_)
         | Elasticity::Ply(_)
         | Elasticity::Foam(_)
+        | Elasticity::Fibrous(_)
         | Elasticity::Deformation(_) => false,
         Elasticity::Isotropic(_)
         | Elasticity::Rubber(_)

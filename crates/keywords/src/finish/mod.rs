@@ -16,6 +16,7 @@ mod distributing;
 mod equations;
 mod faces;
 mod facing;
+mod fibres;
 mod frictions;
 mod gaps;
 mod general_contact;

@@ -10,6 +10,7 @@ use slideline_model::{
 use super::axes_of_elements::SectionAxes;
 use super::beam_normals::Normals;
 use super::changed_sections::parted;
+use super::fibres;
 use super::materials::{in_plane_stress, lines_have_no_axes, material, no_material};
 use super::middle_nodes::past_the_quarter;
 use super::space_beams as space;
@@ -56,7 +57,8 @@ pub(super) fn sections(draft: &mut Draft) {
         let Some(axes) = axes else { continue };
         in_plane_stress(section, &claimed, draft);
         lines_have_no_axes(section, &claimed, draft);
-        if let Some(made) = material(section, draft) {
+        let made = material(section, draft).and_then(|made| fibres::laid(section, made, draft));
+        if let Some(made) = made {
             blocks((section, &axes), &made, (claimed, pointing), draft);
         }
     }

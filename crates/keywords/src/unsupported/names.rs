@@ -191,7 +191,6 @@ pub(super) const GROUPS: &[Group] = &[
          *VISCOELASTIC and *CREEP",
         &[
             "ACOUSTIC MEDIUM",
-            "ANISOTROPIC HYPERELASTIC",
             "BRITTLE CRACKING",
             "CAP HARDENING",
             "CAP PLASTICITY",

@@ -4,6 +4,7 @@ use super::answer::Law;
 use super::creep::Creeping;
 use super::elastic::{Anisotropic, Elastic, LargeStrain};
 use super::expansion::Expanding;
+use super::fibrous::Fibrous;
 use super::foam::Foam;
 use super::hyperelastic::Rubber;
 use super::plastic::Plastic;
@@ -23,6 +24,8 @@ pub enum Material {
     Rubber(Rubber),
     /// Foam of rubber.
     Foam(Foam),
+    /// Soft tissue with fibres.
+    Fibrous(Box<Fibrous>),
     /// Metal by deformation plasticity.
     RambergOsgood(Box<RambergOsgood>),
     /// Metal that yields.
@@ -48,6 +51,7 @@ impl PartialEq for Material {
             (Self::Anisotropic(a), Self::Anisotropic(b)) => a == b,
             (Self::Rubber(a), Self::Rubber(b)) => a == b,
             (Self::Foam(a), Self::Foam(b)) => a == b,
+            (Self::Fibrous(a), Self::Fibrous(b)) => a == b,
             (Self::RambergOsgood(a), Self::RambergOsgood(b)) => a == b,
             (Self::Plastic(a), Self::Plastic(b)) => a == b,
             (Self::User(a), Self::User(b)) => Arc::ptr_eq(a, b),

@@ -24,6 +24,7 @@ impl Material {
             | Self::Anisotropic(_)
             | Self::Rubber(_)
             | Self::Foam(_)
+            | Self::Fibrous(_)
             | Self::RambergOsgood(_) => 0,
             Self::Plastic(plastic) => plastic.states(),
             Self::User(law) => law.states(),
@@ -130,6 +131,8 @@ impl Material {
             (Self::Rubber(rubber), true) => rubber.large(gradient),
             (Self::Foam(foam), false) => foam.small().small(&symmetric(gradient)),
             (Self::Foam(foam), true) => foam.large(gradient),
+            (Self::Fibrous(tissue), false) => tissue.small(&symmetric(gradient)),
+            (Self::Fibrous(tissue), true) => tissue.large(gradient),
             (Self::RambergOsgood(metal), false) => metal.small(&symmetric(gradient)),
             (Self::RambergOsgood(metal), true) => metal.large(gradient),
             (Self::Plastic(plastic), false) => {
@@ -253,6 +256,7 @@ impl Material {
             | Self::Anisotropic(_)
             | Self::Rubber(_)
             | Self::Foam(_)
+            | Self::Fibrous(_)
             | Self::RambergOsgood(_)
             | Self::User(_) => None,
         }
@@ -274,10 +278,31 @@ impl Material {
             Self::Elastic(..)
             | Self::Anisotropic(_)
             | Self::Foam(_)
+            | Self::Fibrous(_)
             | Self::RambergOsgood(_)
             | Self::Plastic(_)
             | Self::User(_)
             | Self::Creeping(_) => None,
+        }
+    }
+
+    /// How many families of fibres it has.
+    pub fn families(&self) -> usize {
+        match self {
+            Self::Fibrous(tissue) => tissue.directions.len(),
+            Self::Expanding(own) => own.law.families(),
+            Self::Prestressed(own) => own.law.families(),
+            _ => 0,
+        }
+    }
+
+    /// Lays its fibres along these directions, unit vectors along its axes.
+    pub fn lay(&mut self, directions: &[[f64; 3]]) {
+        match self {
+            Self::Fibrous(tissue) => tissue.directions = directions.to_vec(),
+            Self::Expanding(own) => own.law.lay(directions),
+            Self::Prestressed(own) => own.law.lay(directions),
+            _ => {}
         }
     }
 
@@ -289,6 +314,7 @@ impl Material {
             | Self::Anisotropic(_)
             | Self::Rubber(_)
             | Self::Foam(_)
+            | Self::Fibrous(_)
             | Self::RambergOsgood(_) => false,
             Self::Graded(graded) => graded.rows().any(Self::dissipates),
             Self::Expanding(expanding) => expanding.law.dissipates(),
@@ -304,6 +330,7 @@ impl Material {
             | Self::User(_)
             | Self::Rubber(_)
             | Self::Foam(_)
+            | Self::Fibrous(_)
             | Self::RambergOsgood(_)
             | Self::Viscoelastic(_)
             | Self::Prestressed(_)
@@ -328,6 +355,7 @@ impl Material {
         match self {
             Self::Elastic(elastic, _) | Self::Plastic(Plastic { elastic, .. }) => of(elastic),
             Self::RambergOsgood(metal) => of(&metal.elastic),
+            Self::Fibrous(tissue) => tissue.stiffest(),
             Self::Foam(foam) => of(&foam.small()),
             Self::Anisotropic(elastic) => elastic.stiffest(),
             Self::Rubber(rubber) => rubber.bulk_modulus() + 4.0 / 3.0 * rubber.shear_modulus(),
@@ -350,6 +378,7 @@ impl Material {
             Self::Rubber(rubber) => rubber.shear_modulus(),
             Self::Foam(foam) => foam.shear_modulus(),
             Self::RambergOsgood(metal) => metal.elastic.shear_modulus(),
+            Self::Fibrous(tissue) => tissue.small_matrix().shear_modulus(),
             Self::User(law) => law.shear_modulus(),
             Self::Graded(graded) => graded.rows().map(Self::shear_modulus).fold(0.0, f64::max),
             Self::Expanding(expanding) => expanding.law.shear_modulus(),
@@ -367,6 +396,7 @@ impl Material {
             Self::Rubber(rubber) => Some(rubber.small()),
             Self::Foam(foam) => Some(foam.small()),
             Self::RambergOsgood(metal) => Some(metal.elastic),
+            Self::Fibrous(tissue) => Some(tissue.small_matrix()),
             Self::Anisotropic(_) | Self::User(_) => None,
             Self::Graded(graded) => graded.rows().next()?.elastic(),
             Self::Expanding(expanding) => expanding.law.elastic(),

@@ -24,6 +24,14 @@ fn foam() -> Foam {
     Foam { terms: [[1.1, 3.0, 0.2], [0.4, -2.0, 0.0], [0.3, 7.0, 0.3]].map(term).to_vec() }
 }
 
+/// Tissue with two families of fibres, which disperse.
+fn fibrous() -> Material {
+    let directions = vec![[0.6, 0.8, 0.0], [2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0]];
+    let (matrix, softness, stiffness, exponent, dispersion) = (1.2, 0.4, 0.9, 1.5, 0.1);
+    let own = Fibrous { matrix, softness, stiffness, exponent, dispersion, directions };
+    Material::Fibrous(Box::new(own))
+}
+
 /// A metal by deformation plasticity that bends at the strains of the tests.
 fn ramberg_osgood() -> Material {
     let own = RambergOsgood { elastic: STEEL, stress: 0.4, exponent: 3.5, offset: 0.6 };
@@ -58,6 +66,7 @@ fn all() -> Vec<(&'static str, Material)> {
         ),
         ("foam", Material::Foam(foam())),
         ("Ramberg-Osgood", ramberg_osgood()),
+        ("fibres", fibrous()),
         ("plastic", Material::Plastic(plastic.clone())),
         ("plastic, moving", Material::Plastic(moving(&plastic, &[[2.0, 0.0]]))),
     ]
@@ -241,7 +250,7 @@ proptest! {
             let (after, _) = respond(&material, &turned, true, &zero);
             near(&carried(&turn, &answer.stress), &after.stress, 1e-12, name);
             prop_assert!((after.energy - answer.energy).abs() < 1e-12, "{name}");
-            if name != "orthotropic" {
+            if !["orthotropic", "fibres"].contains(&name) {
                 let (after, _) = respond(&material, &before, true, &zero);
                 near(&answer.stress, &after.stress, 1e-12, name);
             }
@@ -600,4 +609,41 @@ fn tables_of_back_stresses() {
     let (a, b) = (path(&modulus), path(&table));
     near(&a.stress, &b.stress, 1e-13, "stress");
     assert!((a.energy - b.energy).abs() < 1e-13);
+}
+
+/// Requirement: pulled along its fibres an incompressible tissue bears 2 C10 (l^2 - 1/l) + 2 l^2 k1 E
+/// exp(k2 E^2), E = l^2 - 1; pressed, the matrix alone; fibres that run all ways stiffen as E = (I1 - 3)/3; and
+/// across them nothing of them is felt. Source: [gasser2006], the energy by hand. D = 1e-7; 1e-5.
+#[test]
+fn fibres_bear_tension() {
+    let tissue = |dispersion: f64, direction: [f64; 3]| {
+        let directions = vec![direction];
+        let (matrix, softness, stiffness, exponent) = (1.2, 1e-7, 0.9, 1.5);
+        let own = Fibrous { matrix, softness, stiffness, exponent, dispersion, directions };
+        Material::Fibrous(Box::new(own))
+    };
+    // the stress along x of an incompressible bar: the pressure takes what stands across
+    let pulled = |material: &Material, stretch: f64| {
+        let across = stretch.powf(-0.5) - 1.0;
+        let h = matrix([stretch - 1.0, 0.0, 0.0, 0.0, across, 0.0, 0.0, 0.0, across]);
+        let (answer, _) = respond(material, &h, true, &[]);
+        answer.stress[0] - answer.stress[1]
+    };
+    for stretch in [0.8_f64, 1.1, 1.4] {
+        let square = stretch * stretch;
+        let own = 2.4 * (square - 1.0 / stretch);
+        let along = square - 1.0;
+        let fibre = 2.0 * square * 0.9 * along * (1.5 * along * along).exp();
+        let expected = own + if stretch > 1.0 { fibre } else { 0.0 };
+        let found = pulled(&tissue(0.0, [1.0, 0.0, 0.0]), stretch);
+        assert!((found - expected).abs() < 1e-5 * (1.0 + expected.abs()), "{stretch} {found}");
+        let all = (square + 2.0 / stretch - 3.0) / 3.0;
+        let spread = 2.0 / 3.0 * (square - 1.0 / stretch) * 0.9 * all * (1.5 * all * all).exp();
+        let found = pulled(&tissue(1.0 / 3.0, [0.0, 0.6, 0.8]), stretch);
+        assert!((found - own - spread).abs() < 1e-5 * (1.0 + own.abs()), "{stretch} {found}");
+        if stretch > 1.0 {
+            let found = pulled(&tissue(0.0, [0.0, 0.6, 0.8]), stretch);
+            assert!((found - own).abs() < 1e-5 * (1.0 + own.abs()), "{stretch} {found}");
+        }
+    }
 }

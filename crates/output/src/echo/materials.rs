@@ -1,8 +1,18 @@
 //! Materials in words.
 
 use super::words::{extremes, number, range};
-use slideline_mech::material::Expansion;
+use slideline_mech::material::{Elastic, Expansion, Fibrous};
 use slideline_model::Material;
+
+/// A tissue with fibres in words.
+fn fibrous(tissue: &Fibrous, matrix: &Elastic) -> String {
+    format!(
+        "tissue with {} families of fibres; matrix of E = {}, nu = {} at small strain",
+        tissue.directions.len(),
+        number(matrix.modulus),
+        number(matrix.poisson)
+    )
+}
 
 /// A material in words.
 pub(super) fn told(material: &Material) -> String {
@@ -16,6 +26,7 @@ pub(super) fn told(material: &Material) -> String {
             number(elastic.modulus),
             number(elastic.poisson)
         ),
+        (Material::Fibrous(tissue), Some(matrix)) => fibrous(tissue, &matrix),
         (Material::RambergOsgood(metal), _) => format!(
             "E = {}, nu = {}, deformation plasticity from {} with exponent {}",
             number(metal.elastic.modulus),
@@ -57,7 +68,9 @@ pub(super) fn told(material: &Material) -> String {
         (Material::Viscoelastic(own), _) => {
             format!("{}; relaxes in {} terms", told(&own.law), own.series.len())
         }
-        (Material::Rubber(_) | Material::Foam(_), None) => "rubber".to_owned(),
+        (Material::Rubber(_) | Material::Foam(_) | Material::Fibrous(_), None) => {
+            "rubber".to_owned()
+        }
         (Material::User(_), _) => "a material of the embedding program".to_owned(),
     }
 }
