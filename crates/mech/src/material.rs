@@ -17,6 +17,7 @@
 
 mod answer;
 mod back_stress;
+mod begun;
 pub mod creep;
 mod elastic;
 mod expansion;

@@ -18,8 +18,12 @@ impl Keyword for InitialConditions {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] =
-            &[Rule::required("TYPE"), Rule::value("INPUT"), Rule::value("NUMBER BACKSTRESSES")];
+        const RULES: &[Rule] = &[
+            Rule::required("TYPE"),
+            Rule::value("INPUT"),
+            Rule::value("NUMBER BACKSTRESSES"),
+            Rule::value("VARIABLE"),
+        ];
         RULES
     }
 

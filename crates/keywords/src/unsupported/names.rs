@@ -54,6 +54,7 @@ pub(super) const GROUPS: &[Group] = &[
         "elements of one integration point keep their own hourglass control",
         &["SECTION CONTROLS", "HOURGLASS STIFFNESS"],
     ),
+    (Ignored, "no constant here depends on a field variable", &["FIELD"]),
     (
         Ignored,
         "temperatures are given here, not computed",
@@ -291,7 +292,6 @@ pub(super) const GROUPS: &[Group] = &[
         Unsupported,
         "leave it out knowingly: there are no temperatures or other fields here",
         &[
-            "FIELD",
             "FILM",
             "FILM PROPERTY",
             "RADIATE",

@@ -129,3 +129,21 @@ fn added_mass_that_weighs() {
     let said = errors(&deck("E, GRAV, 1., 0., 0., -1."), Dialect::Abaqus);
     assert!(said.len() == 1 && said[0].starts_with("SL0221"), "{said:?}");
 }
+
+/// Requirement: field variables, on which nothing depends here, are noted and change nothing, as initial
+/// conditions and in steps; constants that depend on them are refused.
+#[test]
+fn fields_have_no_effect() {
+    let field = "*Field, variable=1\nRING-1.\"all of it\", 1.\n";
+    let said = read(&seal("", field), Dialect::Abaqus).diagnostics;
+    let notes = said.iter().filter(|own| own.code.0 == "SL0257" && own.message.contains("FIELD"));
+    assert_eq!(notes.count(), 1, "{said:#?}");
+    assert_eq!(errors(&seal("", field), Dialect::Abaqus), [""; 0]);
+    let begun = seal("", "").replace(
+        "*Step,",
+        "*Initial Conditions, type=FIELD, variable=1\nRING-1.\"all of it\", 1.\n*Step,",
+    );
+    assert_eq!(errors(&begun, Dialect::Abaqus), [""; 0]);
+    let depends = begun.replace("*Hyperelastic, n=1, neo hooke", "*Elastic, dependencies=1");
+    assert!(errors(&depends, Dialect::Abaqus).iter().any(|own| own.contains("dependencies")));
+}

@@ -24,6 +24,12 @@ pub struct Prestressed<L> {
     pub law: L,
 }
 
+/// State variables of a point that begins under stress: those of that, and those of its law.
+pub(super) fn parted(state: &[f64]) -> [&[f64]; 2] {
+    let (first, rest) = state.split_at(STATES.min(state.len()));
+    [first, rest]
+}
+
 /// A symmetric tensor by rows.
 fn full(strain: &[f64]) -> Matrix {
     let entry = |place: usize| strain.get(place).copied().unwrap_or(0.0);
