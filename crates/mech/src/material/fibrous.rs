@@ -5,7 +5,7 @@
 //!   E = kappa (I1 - 3) + (1 - 3 kappa)(I4 - 1)       I1 = J^(-2/3) tr C,  I4 = J^(-2/3) a C a
 //! ```
 //!
-//! After [holzapfel2000] and [gasser2006]: kappa is 0 where all fibres of a family run along a, and 1/3
+//! This is the law of [holzapfel2000] and [gasser2006]: kappa is 0 where all fibres of a family run along a, and 1/3
 //! where they run all ways. docs/theory.md eqs. (3.113) to (3.115).
 
 use super::answer::Answer;
