@@ -101,7 +101,7 @@ fn gap(start: &Start<'_>, pair: &ContactPair) -> Option<f64> {
     slaves.extend(pair.elements.iter().map(|element| box_of(&element.nodes)));
     slaves.extend(pair.profile.iter().flat_map(profile));
     let mut masters: Vec<Bounds> = match &pair.master {
-        Master::Faces(faces) if faces.swept.is_some() => return None,
+        Master::Faces(faces) if faces.swept.is_some() || faces.meets_itself => return None,
         Master::Faces(faces) => faces.faces.iter().map(|face| box_of(&face.nodes)).collect(),
         Master::SlideLine(line) => line.nodes.windows(2).map(box_of).collect(),
         Master::RigidSurface(surface) => profile(surface),

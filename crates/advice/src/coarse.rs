@@ -58,7 +58,7 @@ impl Sides {
             Master::SlideLine(line) if pair.of_solids => {
                 line.nodes.windows(2).map(|ends| [ends[0], ends[1]]).collect()
             }
-            Master::Faces(faces) if faces.swept.is_none() => {
+            Master::Faces(faces) if faces.swept.is_none() && !faces.meets_itself => {
                 faces.faces.iter().flat_map(|face| edges(&face.nodes)).collect()
             }
             _ => return None,

@@ -34,5 +34,11 @@ fn say(pair: &ContactPair) -> Option<Finding> {
         pair.name
     );
     let said = Diagnostic::warning(Code("SL0423"), message).at(pair.origin);
-    Some(Finding::said(said.help("give *CONTACT PAIR, TYPE=SURFACE TO SURFACE")))
+    let help = match pair.meets_itself() {
+        true => {
+            "a surface that meets itself does so at its nodes: mesh it with linear faces (C3D8I)"
+        }
+        false => "give *CONTACT PAIR, TYPE=SURFACE TO SURFACE",
+    };
+    Some(Finding::said(said.help(help)))
 }

@@ -4,7 +4,8 @@ use crate::finding::{Finding, Place};
 use crate::start::{Start, spacing};
 use slideline_diag::{Code, Diagnostic};
 use slideline_model::{
-    ContactPair, Master, ProfilePoint, RigidSurface, SlideLine, SurfaceSegment, Vocabulary,
+    ContactPair, Master, MasterFaces, OwnSurface, ProfilePoint, RigidSurface, SlideLine,
+    SurfaceSegment, Vocabulary,
 };
 use std::fmt::Write as _;
 
@@ -41,15 +42,15 @@ fn opens(start: &Start<'_>, place: usize, pair: &ContactPair) -> bool {
 
 fn say(start: &Start<'_>, pair: &ContactPair, behind: usize, facing: usize) -> Finding {
     let (origin, help) = match &pair.master {
-        Master::Faces(faces) => {
+        Master::Faces(faces) if !faces.meets_itself => {
             let said = wrong_side(start, pair, behind, facing).at(faces.origin);
             return Finding::said(said.help(
                 "faces of solids look outward: do the parts overlap at the start, or does *SURFACE \
                  name faces on the far side?",
             ));
         }
-        Master::Itself(surface) => {
-            let said = wrong_side(start, pair, behind, facing).at(surface.origin);
+        Master::Itself(OwnSurface { origin, .. }) | Master::Faces(MasterFaces { origin, .. }) => {
+            let said = wrong_side(start, pair, behind, facing).at(*origin);
             return Finding::said(said.help(
                 "faces of solids look outward: do parts of the surface stand in one another at the \
                  start?",

@@ -127,8 +127,9 @@ impl<'a> Start<'a> {
         let master = match &pair.master {
             Master::RigidSurface(surface) => surface.reference,
             Master::SlideLine(line) => line.nodes.first().copied().unwrap_or(row.node),
-            Master::Faces(faces) => faces.first_node().unwrap_or(row.node),
             // its other parts go with it
+            _ if pair.meets_itself() => row.node,
+            Master::Faces(faces) => faces.first_node().unwrap_or(row.node),
             Master::Itself(_) => row.node,
         };
         let centre = arc_of(self.model, pair, row.node).map_or(row.position, |(centre, _)| centre);

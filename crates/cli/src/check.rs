@@ -225,10 +225,11 @@ fn why(read: &Read, pair: &ContactPair) -> &'static str {
     });
     let modern = card.is_some_and(|card| card.keyword.name == "CONTACTPAIR");
     match (&pair.master, modern, pair.formulation) {
-        (Master::Itself(_), ..) => {
+        _ if pair.meets_itself() => {
             "a surface that *CONTACT PAIR names alone meets itself: of two of its nodes that meet, the \
              sharper one is the slave, or the first along the surface"
         }
+        (Master::Itself(_), ..) => "",
         (Master::RigidSurface(_), true, _) if pair.profile.is_some() => {
             "contact is integrated along the profile named first on *CONTACT PAIR, the slave; the one \
              named second is the master"

@@ -111,6 +111,15 @@ impl ContactPair {
         self.profile.iter().chain(master)
     }
 
+    /// Whether its slave surface is its master too.
+    pub fn meets_itself(&self) -> bool {
+        match &self.master {
+            Master::Itself(_) => true,
+            Master::Faces(faces) => faces.meets_itself,
+            Master::RigidSurface(_) | Master::SlideLine(_) => false,
+        }
+    }
+
     /// Its faces as those of a mesh, over the nodes of the model.
     pub fn mesh_faces(&self) -> Vec<MeshFace> {
         let of_mesh =
@@ -348,6 +357,8 @@ pub struct MasterFaces {
     /// The analytical surface on a rigid body that it is; each of the faces then has the four
     /// markers of the body.
     pub swept: Option<SweptSurface>,
+    /// Whether the slaves are its own nodes: it meets itself.
+    pub meets_itself: bool,
     /// The card.
     pub origin: Span,
 }

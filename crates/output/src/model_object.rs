@@ -120,6 +120,7 @@ fn pairs(model: &Model) -> Value {
         let (master, nodes) = match &pair.master {
             Master::RigidSurface(surface) => ("rigid surface", labels(&[surface.reference])),
             Master::SlideLine(chain) => ("slide line", labels(&chain.nodes)),
+            Master::Faces(faces) if faces.meets_itself => ("itself", labels(&faces.nodes())),
             Master::Faces(faces) => ("faces", labels(&faces.nodes())),
             Master::Itself(surface) => ("itself", labels(&surface.nodes().collect::<Vec<_>>())),
         };

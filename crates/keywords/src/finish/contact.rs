@@ -239,6 +239,7 @@ pub(super) fn both_sides(pair: &ContactPair, span: Span, draft: &mut Draft) {
     let slaves = pair.slave_nodes();
     let own = match &pair.master {
         // its faces meet others alone
+        _ if pair.meets_itself() => None,
         Master::Itself(_) => None,
         Master::RigidSurface(rigid) => slaves.contains(&rigid.reference).then_some(rigid.reference),
         Master::SlideLine(line) => {

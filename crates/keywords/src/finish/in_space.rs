@@ -70,7 +70,14 @@ pub(super) fn lines_fit(
 /// Faces of solids as a master.
 pub(super) fn faces_of(pairing: &Pairing, sides: &Sides, faces: Vec<ContactFace>) -> MasterFaces {
     let (smooth, extension) = (pairing.smooth > 0.0, pairing.extension);
-    MasterFaces { faces, smooth, extension, swept: None, origin: sides.master.origin }
+    MasterFaces {
+        faces,
+        smooth,
+        extension,
+        swept: None,
+        meets_itself: false,
+        origin: sides.master.origin,
+    }
 }
 
 /// Slave nodes in space with the faces that give them areas: those all of whose nodes are in the

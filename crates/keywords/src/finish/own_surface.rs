@@ -1,4 +1,4 @@
-//! A surface that meets itself: its faces in runs.
+//! A surface that meets itself: in the plane its faces in runs, in space its faces.
 //!
 //! ```text
 //!   o->-o->-o->-o      open        .->-.
@@ -9,7 +9,9 @@
 use std::collections::{HashMap, HashSet};
 
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{Formulation, Master, NodeIndex, OwnSurface, SurfaceRun};
+use slideline_model::{
+    ContactFace, Formulation, Master, MasterFaces, NodeIndex, OwnSurface, SurfaceRun,
+};
 
 use super::chain::Facet;
 use super::sides::{Parts, Slaves, refuse};
@@ -18,7 +20,7 @@ use crate::draft::Draft;
 use crate::rule::Subject;
 use crate::surfaces::{NamedSurface, Pairing};
 
-/// Slaves and master of a surface of faces of solids in the plane that meets itself.
+/// Slaves and master of a surface of faces of solids that meets itself.
 pub(super) fn own_surface(
     pairing: &Pairing,
     surface: &NamedSurface,
@@ -28,10 +30,7 @@ pub(super) fn own_surface(
     let name = &pairing.slave.name;
     let facets = match found {
         Found::Facets(facets) if facets.iter().all(|facet| facet.face.is_some()) => facets,
-        Found::Faces(_) => {
-            let message = format!("contact of the surface {name} with itself in space");
-            return unsupported(pairing, message, draft);
-        }
+        Found::Faces(faces) => return in_space(pairing, surface, faces, draft),
         Found::Facets(_) => {
             let message = format!("contact of the beams of {name} with themselves");
             return unsupported(pairing, message, draft);
@@ -43,11 +42,7 @@ pub(super) fn own_surface(
             return refuse(pairing.slave.span, message, help, draft);
         }
     };
-    if let Some((_, span)) = &pairing.adjust {
-        let error = Diagnostic::error(Code("SL0221"), "ADJUST of a surface that meets itself");
-        let help = "leave it out: an overclosure at the start is resolved in the first increment, \
-                    with strain";
-        draft.consequence(Subject::Contact, error.at(*span).help(help));
+    if is_adjusted(pairing, draft) {
         return None;
     }
     let runs = match runs(&facets) {
@@ -66,10 +61,37 @@ pub(super) fn own_surface(
     Some((slaves, Master::Itself(master)))
 }
 
+/// The same of faces in space.
+fn in_space(
+    pairing: &Pairing,
+    surface: &NamedSurface,
+    faces: Vec<ContactFace>,
+    draft: &mut Draft,
+) -> Parts {
+    if is_adjusted(pairing, draft) {
+        return None;
+    }
+    say(pairing, draft);
+    let (smooth, extension) = (pairing.smooth > 0.0, pairing.extension);
+    let (swept, meets_itself, origin) = (None, true, surface.origin);
+    let slaves = Slaves { faces: faces.clone(), ..Slaves::default() };
+    let master = MasterFaces { faces, smooth, extension, swept, meets_itself, origin };
+    Some((slaves, Master::Faces(master)))
+}
+
+/// Complains where an overclosure of the start is to be taken away.
+fn is_adjusted(pairing: &Pairing, draft: &mut Draft) -> bool {
+    let Some((_, span)) = &pairing.adjust else { return false };
+    let error = Diagnostic::error(Code("SL0221"), "ADJUST of a surface that meets itself");
+    let help = "leave it out: an overclosure at the start is resolved in the first increment, with \
+                strain";
+    draft.consequence(Subject::Contact, error.at(*span).help(help));
+    true
+}
+
 fn unsupported(pairing: &Pairing, message: String, draft: &mut Draft) -> Parts {
     let error = Diagnostic::error(Code("SL0221"), format!("{message} is not supported"));
-    let help = "faces of solids in the plane and of rings may meet themselves; else name two \
-                surfaces that share no node";
+    let help = "faces of solids may meet themselves; else name two surfaces that share no node";
     draft.consequence(Subject::Contact, error.at(pairing.slave.span).help(help));
     None
 }

@@ -106,8 +106,14 @@ fn in_space(
         return refuse(pairing.slave.span, message, help, draft);
     }
     let (origin, extension) = (sides.master.origin, pairing.extension);
-    let master =
-        Master::Faces(MasterFaces { faces: master, swept: None, smooth: false, extension, origin });
+    let master = Master::Faces(MasterFaces {
+        faces: master,
+        swept: None,
+        smooth: false,
+        extension,
+        meets_itself: false,
+        origin,
+    });
     Some((Slaves { faces, ..Slaves::default() }, master))
 }
 

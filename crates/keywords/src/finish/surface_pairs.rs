@@ -214,9 +214,9 @@ fn put_together(
         Formulation::Mortar => sharp_edges(&slaves.faces, draft),
         _ => Vec::new(),
     };
-    let name = match &master {
-        Master::Itself(_) => pairing.slave.name.clone(),
-        _ => format!("{}/{}", pairing.slave.name, pairing.master.name),
+    let name = match pairing.slave.name == pairing.master.name {
+        true => pairing.slave.name.clone(),
+        false => format!("{}/{}", pairing.slave.name, pairing.master.name),
     };
     let Some(axes) = of_pair(pairing, &master, draft) else { return };
     let pair = ContactPair {

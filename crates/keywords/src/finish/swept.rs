@@ -37,7 +37,14 @@ pub(super) fn swept(
     let (sweep, segments) = (axes.sweep, segments.to_vec());
     let faces = vec![face; 2 * segments.len()];
     let swept = SweptSurface { sweep, reference, start, segments, length };
-    Some(MasterFaces { faces, smooth: false, extension: 0.0, swept: Some(swept), origin })
+    Some(MasterFaces {
+        faces,
+        smooth: false,
+        extension: 0.0,
+        swept: Some(swept),
+        meets_itself: false,
+        origin,
+    })
 }
 
 /// The largest extent of a profile [L].

@@ -183,6 +183,14 @@ impl FaceMesh {
         normal(&self.faces[face], |node| positions[node])
     }
 
+    /// The middle of the corners of a face [L].
+    pub fn middle(&self, face: usize, positions: &[Vector]) -> Vector {
+        let own = &self.faces[face];
+        let corners = own.cell.faces.len();
+        let sum = own.nodes[..corners].iter().fold([0.0; 3], |sum, &n| add(sum, positions[n]));
+        scale(sum, 1.0 / corners as f64)
+    }
+
     /// Size of a face: the root of its area [L].
     pub fn size(&self, face: usize, positions: &[Vector]) -> f64 {
         size(area(&self.faces[face], |node| positions[node])).sqrt()

@@ -66,7 +66,8 @@ fn master(model: &Model, master: &Master) -> String {
             model.nodes.label(swept.reference)
         ),
         Master::Faces(faces) => format!(
-            "{} faces of {} nodes ({}), {}, EXTENSION ZONE = {}",
+            "{}{} faces of {} nodes ({}), {}, EXTENSION ZONE = {}",
+            if faces.meets_itself { "the slave surface itself, " } else { "" },
             faces.faces.len(),
             faces.nodes().len(),
             labels(model, &faces.nodes()),

@@ -29,6 +29,7 @@ mod rigid_meshes;
 mod ring_contact;
 mod rough_slaves;
 mod self_contact;
+mod self_contact_in_space;
 mod solid_contact;
 mod space_decks;
 mod strip;

@@ -118,12 +118,14 @@ impl Contact {
         let master = &self.masters[point.pair];
         match master {
             MasterSurface::Nothing => {}
-            MasterSurface::Faces { mesh, nodes, .. } => {
+            MasterSurface::Faces { mesh, nodes, itself, .. } => {
                 let positions = |u: &[f64]| -> Vec<_> {
                     nodes.iter().map(|(at, dofs)| dofs.displace(*at, u)).collect()
                 };
                 let (before, after) = (positions(from), positions(to));
-                let all = 0..mesh.faces().len();
+                let stops =
+                    |&face: &usize| itself.as_ref().is_none_or(|own| own.stops(point.seat, face));
+                let all = (0..mesh.faces().len()).filter(stops);
                 cross_faces(mesh, (&before, &after), all, (start, end), |crossing| {
                     inward |= crossing.inward;
                 });

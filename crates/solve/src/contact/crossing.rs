@@ -170,14 +170,17 @@ impl Contact {
             }
             match &self.masters[pair] {
                 MasterSurface::Nothing => {}
-                MasterSurface::Faces { mesh, nodes, offset, .. } => {
+                MasterSurface::Faces { mesh, nodes, offset, itself, .. } => {
                     let range = *offset..offset + nodes.len();
                     let positions = (&chains[0].nodes[range.clone()], &chains[1].nodes[range]);
                     let Some(tree) = chains[0].face_tree(pair) else { continue };
                     near_way(tree, (way[0], way[1]), near);
                     let known = self.outlook(point, &u[1]);
                     let outlook = Outlook::of(&known);
-                    let meets = |&face: &usize| outlook.meets(mesh.normal(face, positions.1));
+                    let meets = |&face: &usize| {
+                        outlook.meets(mesh.normal(face, positions.1))
+                            && itself.as_ref().is_none_or(|own| own.stops(point.seat, face))
+                    };
                     let faces = near.iter().copied().filter(meets);
                     cross_faces(mesh, positions, faces, (way[0], way[1]), |crossing| {
                         let (normal, inward) = (crossing.normal, crossing.inward);
@@ -239,11 +242,11 @@ impl Contact {
         }
         let from = entered?;
         let (master, now) = (&self.masters[self.points[place].pair], &sweep.now[place]);
-        if master.own().is_some() {
+        if master.meets_itself() {
             // what it meets in front of it is another part of its surface; smoothed corners lie a
             // little behind the faces
             let point = &self.points[place];
-            let met = master.met_itself((&chains[1], point.pair), point.seat);
+            let met = self.met_itself(point, &chains[1]);
             let beyond = met.is_none_or(|depth| depth < -CUT * self.spacing[point.pair]);
             return (beyond && from.fraction > 0.0).then_some(from.fraction);
         }

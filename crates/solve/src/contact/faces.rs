@@ -11,13 +11,14 @@ use super::before::Before;
 use super::facing::Facing;
 use super::kinematics::{ContactKinematics, GeometryScratch, PointRows};
 use super::master::MasterSurface;
-use super::pairs::{Carrier, Contact};
+use super::pairs::{Carrier, Contact, SlavePoint};
 use super::positions::{MasterPositions, distance};
 use crate::dofs::Translations;
 use crate::state::PointState;
 use slideline_mech::contact::pair::{FacePoint, FaceRoom, Footing};
 use slideline_mech::contact::search::faces::FacePlace;
 use slideline_mech::contact::search::outlook::Outlook;
+use slideline_mech::contact::search::own_faces::{OwnFaces, PlacedOwn};
 use slideline_mech::contact::search::sharp_faces::closest;
 use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::surface::mesh::FaceMesh;
@@ -31,6 +32,7 @@ struct PlacedFaces<'a> {
     nodes: &'a [([f64; 3], Translations)],
     positions: &'a [[f64; 3]],
     extension: f64,
+    itself: Option<&'a OwnFaces>,
 }
 
 impl Contact {
@@ -39,11 +41,13 @@ impl Contact {
         pair: usize,
         positions: &'a MasterPositions,
     ) -> Option<PlacedFaces<'a>> {
-        let MasterSurface::Faces { mesh, nodes, offset, extension } = &self.masters[pair] else {
+        let MasterSurface::Faces { mesh, nodes, offset, extension, itself } = &self.masters[pair]
+        else {
             return None;
         };
         let positions = positions.nodes.get(*offset..offset + nodes.len())?;
-        Some(PlacedFaces { mesh, nodes, positions, extension: *extension })
+        let (extension, itself) = (*extension, itself.as_deref());
+        Some(PlacedFaces { mesh, nodes, positions, extension, itself })
     }
 
     /// The place of faces that faces a point in space, where open ends are prolonged by
@@ -51,57 +55,74 @@ impl Contact {
     /// hardly stands beyond an edge.
     pub(super) fn face_at(
         &self,
-        pair: usize,
-        (point, extension, before): ([f64; 3], Option<f64>, Option<usize>),
+        point: &SlavePoint,
+        (position, extension, before): ([f64; 3], Option<f64>, Option<usize>),
         outlook: &Outlook,
         positions: &MasterPositions,
         room: &mut FaceRoom,
     ) -> Option<FacePlace> {
-        let placed = self.placed_faces(pair, positions)?;
-        let tree = positions.face_tree(pair)?;
+        let placed = self.placed_faces(point.pair, positions)?;
+        let tree = positions.face_tree(point.pair)?;
         let reach = extension.unwrap_or(placed.extension);
-        let at = (point, reach, before, outlook);
+        if let Some(own) = placed.itself {
+            let on = PlacedOwn { mesh: placed.mesh, positions: placed.positions, tree };
+            return own.closest(on, (point.seat, reach, before), room.face());
+        }
+        let at = (position, reach, before, outlook);
         closest(placed.mesh, placed.positions, tree, at, room.face())
+    }
+
+    /// Overclosure of the node of a surface that meets itself against what it meets, whichever of
+    /// both is the slave [L]; `None` where it meets nothing.
+    pub(super) fn met_itself(
+        &self,
+        point: &SlavePoint,
+        positions: &MasterPositions,
+    ) -> Option<f64> {
+        let Some(placed) = self.placed_faces(point.pair, positions) else {
+            return self.masters[point.pair].met_itself((positions, point.pair), point.seat);
+        };
+        let (own, tree) = (placed.itself?, positions.face_tree(point.pair)?);
+        let (mesh, mut room) = (placed.mesh, FaceRoom::default());
+        let on = PlacedOwn { mesh, positions: placed.positions, tree };
+        let place = own.met(on, (point.seat, placed.extension), room.face())?;
+        let at = (place, placed.positions[point.seat]);
+        Some(-FacePoint::new(mesh, placed.positions, at, None, &mut room)?.gap().gap)
     }
 
     /// Overclosure of a point that faces nothing, were open ends prolonged [L].
     pub(super) fn beyond_faces(
         &self,
-        pair: usize,
-        point: [f64; 3],
+        point: &SlavePoint,
+        at: [f64; 3],
         positions: &MasterPositions,
     ) -> Option<f64> {
-        let mut room = FaceRoom::default();
-        if self
-            .face_at(pair, (point, None, None), &Outlook::EVERYWHERE, positions, &mut room)
-            .is_some()
-        {
+        let placed = self.placed_faces(point.pair, positions)?;
+        // where the faces of a surface that meets itself end, its part turns away
+        if placed.itself.is_some() {
             return None;
         }
-        let place = self.face_at(
-            pair,
-            (point, Some(OFF), None),
-            &Outlook::EVERYWHERE,
-            positions,
-            &mut room,
-        )?;
-        let placed = self.placed_faces(pair, positions)?;
-        let own = FacePoint::new(placed.mesh, placed.positions, (place, point), None, &mut room)?;
+        let (mut room, everywhere) = (FaceRoom::default(), &Outlook::EVERYWHERE);
+        if self.face_at(point, (at, None, None), everywhere, positions, &mut room).is_some() {
+            return None;
+        }
+        let off = (at, Some(OFF), None);
+        let place = self.face_at(point, off, everywhere, positions, &mut room)?;
+        let own = FacePoint::new(placed.mesh, placed.positions, (place, at), None, &mut room)?;
         Some(-own.gap().gap)
     }
 
     /// How deep a point stands behind the faces that it faces [L].
     pub(super) fn depth_in_faces(
         &self,
-        pair: usize,
-        point: [f64; 3],
+        point: &SlavePoint,
+        at: [f64; 3],
         positions: &MasterPositions,
     ) -> Option<f64> {
-        let mut room = FaceRoom::default();
-        let place =
-            self.face_at(pair, (point, None, None), &Outlook::EVERYWHERE, positions, &mut room)?;
-        let placed = self.placed_faces(pair, positions)?;
-        let own = FacePoint::new(placed.mesh, placed.positions, (place, point), None, &mut room)?;
+        let (mut room, everywhere) = (FaceRoom::default(), &Outlook::EVERYWHERE);
+        let place = self.face_at(point, (at, None, None), everywhere, positions, &mut room)?;
+        let placed = self.placed_faces(point.pair, positions)?;
+        let own = FacePoint::new(placed.mesh, placed.positions, (place, at), None, &mut room)?;
         Some(-own.gap().gap)
     }
 
@@ -137,7 +158,7 @@ impl Contact {
         let footing = before.and_then(|before| before.footing.as_ref());
         let known = self.outlook(point, u);
         let outlook = Outlook::of(&known);
-        let facing = self.face_at(point.pair, (at, None, held), outlook, positions, room);
+        let facing = self.face_at(point, (at, None, held), outlook, positions, room);
         let found = facing.and_then(|facing| {
             let placed = self.placed_faces(point.pair, positions)?;
             let faces = (placed.mesh, placed.positions);
@@ -223,8 +244,7 @@ impl Contact {
         let at = dofs.displace(*position, u);
         let (mut room, known) = (FaceRoom::default(), self.outlook(point, u));
         let outlook = Outlook::of(&known);
-        let Some(facing) =
-            self.face_at(point.pair, (at, None, None), outlook, positions, &mut room)
+        let Some(facing) = self.face_at(point, (at, None, None), outlook, positions, &mut room)
         else {
             return;
         };

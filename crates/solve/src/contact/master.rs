@@ -11,6 +11,7 @@ use slideline_mech::contact::pair::{
 use slideline_mech::contact::search::chain::{Chain, Piece};
 use slideline_mech::contact::search::itself::{Itself, Placed, Run, listed};
 use slideline_mech::contact::search::outlook::Outlook;
+use slideline_mech::contact::search::own_faces::OwnFaces;
 use slideline_mech::contact::search::rigid::RigidSegment;
 use slideline_mech::contact::search::sharp;
 use slideline_mech::rigid::{Attachment, PointMap};
@@ -58,6 +59,8 @@ pub enum MasterSurface {
         offset: usize,
         /// Part of a face by which an open end is prolonged [1].
         extension: f64,
+        /// Which of its faces its own nodes may meet, where it meets itself.
+        itself: Option<Box<OwnFaces>>,
     },
     /// Nothing to slide on (a master that reading has refused).
     Nothing,
@@ -114,6 +117,11 @@ impl MasterSurface {
         }
     }
 
+    /// Whether its own nodes are its slaves.
+    pub fn meets_itself(&self) -> bool {
+        matches!(self, Self::Line { itself: Some(_), .. } | Self::Faces { itself: Some(_), .. })
+    }
+
     /// The master of a rigid surface on the body of its node; faces of the slave are so long [L].
     pub fn body(
         model: &Model,
@@ -153,7 +161,8 @@ impl MasterSurface {
             },
         };
         let nodes = labels.iter().map(|node| (at(node), dofs.translations(*node))).collect();
-        MasterSurface::Faces { mesh, nodes, offset, extension: faces.extension }
+        let itself = faces.meets_itself.then(|| Box::new(OwnFaces::new(&mesh, &reference)));
+        MasterSurface::Faces { mesh, nodes, offset, extension: faces.extension, itself }
     }
 
     /// Nodes of a deforming master.

@@ -53,7 +53,7 @@ impl Contact {
             MasterSurface::Line { nodes, itself: None, .. } => {
                 sharp::is_sharp(nodes.iter().map(|(at, _)| *at))
             }
-            MasterSurface::Faces { mesh, .. } => mesh.is_sharp(),
+            MasterSurface::Faces { mesh, itself: None, .. } => mesh.is_sharp(),
             MasterSurface::Body { surface, .. } => surface.is_sharp(),
             _ => false,
         }));

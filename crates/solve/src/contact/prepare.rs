@@ -96,13 +96,16 @@ impl Contact {
 
     /// Where the points of a surface that meets itself stand on it.
     fn take_seats(&mut self, place: usize, pair: &ContactPair) {
-        let (Master::Itself(surface), Some(own)) = (&pair.master, self.masters[place].own()) else {
+        if !pair.meets_itself() {
             return;
-        };
-        let numbers = surface.nodes().enumerate().map(|(number, node)| (node, number));
-        let numbers: HashMap<_, _> = numbers.collect();
+        }
+        let own = self.masters[place].own();
+        let seat = |number: usize| own.map_or(number, |own| own.seat(number));
+        let nodes = pair.master.deforming_nodes();
+        let seats: HashMap<_, _> =
+            nodes.into_iter().enumerate().map(|(number, node)| (node, seat(number))).collect();
         for point in self.points.iter_mut().filter(|point| point.pair == place) {
-            point.seat = numbers.get(&point.node).map_or(0, |&number| own.seat(number));
+            point.seat = seats.get(&point.node).copied().unwrap_or(0);
         }
     }
 

@@ -130,7 +130,7 @@ impl Contact {
         let mut stencil = self.slave(point, xi, u);
         let begins = self.laws[point.pair].normal.contact_begins();
         if let MasterSurface::Faces { .. } = &self.masters[point.pair] {
-            let beyond = self.beyond_faces(point.pair, stencil.position, &positions);
+            let beyond = self.beyond_faces(point, stencil.position, &positions);
             return beyond.is_some_and(|overclosure| overclosure > begins - slack);
         }
         if self.face(point, xi, u, &positions, &mut stencil).is_some() {

@@ -18,6 +18,7 @@ use slideline_mech::contact::points::faces::tributary_areas as face_areas;
 use slideline_mech::contact::points::{
     Across, chord, integration_points::HermiteLine, tributary_areas,
 };
+use slideline_mech::contact::search::own_faces::OwnFaces;
 use slideline_mech::surface::mesh::FaceMesh;
 use slideline_model::{ContactPair, Formulation, Master, Model, NodeIndex, RigidSurface};
 use std::collections::HashMap;
@@ -181,7 +182,7 @@ impl Contact {
                 chain.slave = slave;
                 chain.take(lengths, line.smooth, line.extension)
             }
-            (MasterSurface::Faces { mesh, nodes, extension, .. }, Master::Faces(faces)) => {
+            (MasterSurface::Faces { mesh, nodes, extension, itself, .. }, Master::Faces(faces)) => {
                 *extension = faces.extension;
                 if let Some(said) = &faces.swept {
                     let Some(swept) = swept_profile(said) else { return false };
@@ -191,6 +192,10 @@ impl Contact {
                 }
                 for ((position, _), node) in nodes.iter_mut().zip(faces.nodes()) {
                     *position = model.nodes.get(node).position;
+                }
+                if let Some(own) = itself {
+                    let reference: Vec<_> = nodes.iter().map(|(at, _)| *at).collect();
+                    **own = OwnFaces::new(mesh, &reference);
                 }
                 true
             }

@@ -34,7 +34,7 @@ impl Contact {
         let depth = match master {
             MasterSurface::Nothing => None,
             MasterSurface::Body { surface, .. } => surface.depth(master.placed_body(u).to_body(at)),
-            MasterSurface::Faces { .. } => self.depth_in_faces(point.pair, at, positions),
+            MasterSurface::Faces { .. } => self.depth_in_faces(point, at, positions),
             MasterSurface::Line { .. } => {
                 let stands = self.stands(place, u, positions);
                 stands.faces.then_some(stands.overclosure)

@@ -207,6 +207,7 @@ fn draw_pair(pair: &ContactPair, note: &mut impl FnMut(usize)) {
         Master::Faces(faces) => {
             [2, faces.faces.len(), usize::from(faces.smooth)].into_iter().for_each(&mut *note);
             draw_faces(&faces.faces, note);
+            note(usize::from(faces.meets_itself));
             note(faces.swept.as_ref().map_or(0, |swept| 1 + swept.reference));
         }
     }

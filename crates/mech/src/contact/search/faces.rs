@@ -80,12 +80,22 @@ pub fn closest(
         let (face, at) = super::swept::closest(swept, positions, point)?;
         return Some(FacePlace { face, at });
     }
-    let (mut face, least) = nearest(mesh, positions, tree, point)?;
+    let (face, least) = nearest(mesh, positions, tree, point)?;
     let kept = before
         .and_then(|face| keep(mesh, positions, (face, point), (extension, least.sqrt()), room));
     if kept.is_some() {
         return kept;
     }
+    walk((mesh, positions), (face, point, extension), |_| true, room)
+}
+
+/// The place of a point on a face, or on a neighbour that it stands before and that `may` be met.
+pub(super) fn walk(
+    (mesh, positions): (&FaceMesh, &[Vector]),
+    (mut face, point, extension): (usize, Vector, f64),
+    may: impl Fn(usize) -> bool,
+    room: &mut PlacedFace,
+) -> Option<FacePlace> {
     let mut start = nearest_of(mesh, positions, face, point).1;
     let mut seen = [usize::MAX; WAY];
     for step in 0..WAY {
@@ -99,7 +109,9 @@ pub fn closest(
         }
         match mesh.neighbour(face, edge) {
             None => return (beyond <= extension.max(super::INSIDE)).then_some(place),
-            Some(next) if seen.contains(&next) => return (beyond <= SEAM).then_some(place),
+            Some(next) if seen.contains(&next) || !may(next) => {
+                return (beyond <= SEAM).then_some(place);
+            }
             Some(next) => face = next,
         }
         start = nearest_of(mesh, positions, face, point).1;
@@ -129,7 +141,7 @@ fn nearest(
 
 /// The place of a face on which a point stood, where it faces it still: hardly farther away than
 /// what is `nearest`, and at most SEAM beyond an edge.
-fn keep(
+pub(super) fn keep(
     mesh: &FaceMesh,
     positions: &[Vector],
     (face, point): (usize, Vector),

@@ -17,14 +17,14 @@ use super::tree::{Bounds, BoxTree};
 use super::{Point, cross, dot, sub};
 
 /// Part of the thickness that a node may have sunk in [1].
-const SUNK: f64 = 0.5;
+pub(super) const SUNK: f64 = 0.5;
 /// What was back to back at the start within this many thicknesses is a part's own inside [1].
-const INSIDE_OF: f64 = 2.5;
+pub(super) const INSIDE_OF: f64 = 2.5;
 /// Faces on either side of a node whose mean length tells how fine it is.
 const ABOUT: usize = 4;
 /// Part of the distance of two nodes by which one may be further from the faces of the other and
 /// still meet it at the same place [1].
-const HERE: f64 = 0.5;
+pub(super) const HERE: f64 = 0.5;
 /// Turn at a node of the undeformed surface from which on it is a sharp edge [rad].
 const SHARP: f64 = 50.0 * std::f64::consts::PI / 180.0;
 

@@ -6,13 +6,14 @@
 //!    o---o---+--o---o
 //! ```
 //!
-//! [`itself`] is the search of a surface that meets itself, [`outlook`] tells which of the sides of a
+//! [`itself`] and [`own_faces`] are the searches of a surface that meets itself, [`outlook`] tells which of the sides of a
 //! sharp edge a slave node meets.
 
 pub mod chain;
 pub mod faces;
 pub mod itself;
 pub mod outlook;
+pub mod own_faces;
 pub mod pass;
 pub mod rigid;
 pub mod segment;

@@ -12,7 +12,7 @@
 use super::faces::{FacePlace, FaceTree, beyond, nearest_face, nearest_of, project};
 use super::outlook::{BEYOND, Outlook, SUNK};
 use crate::surface::mesh::{FaceMesh, PlacedFace, is_crease};
-use crate::vector::{Vector, add, dot, scale, size, sub};
+use crate::vector::{Vector, dot, scale, size, sub};
 
 /// Faces of a side that are looked at.
 const SIDE: usize = 32;
@@ -57,10 +57,7 @@ impl About<'_> {
     }
 
     fn middle(&self, face: usize) -> Vector {
-        let own = &self.mesh.faces()[face];
-        let corners = own.cell.faces.len();
-        let sum = own.nodes[..corners].iter().fold([0.0; 3], |sum, &n| add(sum, self.positions[n]));
-        scale(sum, 1.0 / corners as f64)
+        self.mesh.middle(face, self.positions)
     }
 
     /// Whether two neighbours meet at a sharp edge that stands out.

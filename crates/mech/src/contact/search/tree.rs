@@ -114,6 +114,11 @@ impl<const D: usize> BoxTree<D> {
         }
     }
 
+    /// The box about all parts; `None` where there are none.
+    pub fn bounds(&self) -> Option<Bounds<D>> {
+        self.branches.first().map(|root| root.bounds)
+    }
+
     /// Calls back with every part of a leaf whose box `enters`, tested from the root down.
     fn visit(&self, enters: impl Fn(&Bounds<D>) -> bool, mut call: impl FnMut(usize)) {
         let mut open = [0u32; 64];
@@ -151,7 +156,17 @@ impl<const D: usize> BoxTree<D> {
     /// The part with the least `measure`, the lowest number among equals; `measure` is a squared
     /// distance of the point, no less than that of the part's box [L2].
     pub fn nearest(&self, point: [f64; D], measure: impl Fn(usize) -> f64) -> Option<(usize, f64)> {
-        let (mut best, mut least) = (usize::MAX, f64::INFINITY);
+        self.nearest_within(point, f64::INFINITY, measure)
+    }
+
+    /// The same among parts that are no farther away than `reach` [L].
+    pub fn nearest_within(
+        &self,
+        point: [f64; D],
+        reach: f64,
+        measure: impl Fn(usize) -> f64,
+    ) -> Option<(usize, f64)> {
+        let (mut best, mut least) = (usize::MAX, reach * reach);
         // branches with the distance of their boxes; the nearer one is looked at first
         let mut open = [(0u32, 0.0f64); 64];
         let mut count = usize::from(!self.branches.is_empty());

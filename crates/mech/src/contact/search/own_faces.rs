@@ -1,0 +1,360 @@
+//! A surface of faces in space that meets itself: which of its own faces may a node of it touch?
+//!
+//! ```text
+//!     ______________
+//!    /  upper wall /     a node of the upper wall meets a face of the lower one: they look at one
+//!   /______.______/      another, are no neighbours, and the node stands in front of the face, or
+//!    \     : gap  \      no deeper behind it than half the part is thick there
+//!     \____v_______\
+//!        lower wall
+//! ```
+//!
+//! The rules are those of a surface in the plane ([`super::itself`]); a node looks no farther than a
+//! few faces about it. docs/theory.md section 5.12. (derived)
+
+use super::faces::{self, FacePlace, FaceTree, keep, nearest_of, walk};
+use super::itself::{HERE, INSIDE_OF, SUNK};
+use crate::surface::mesh::{FaceMesh, PlacedFace, is_crease};
+use crate::vector::{Vector, add, cross, dot, scale, size, sub};
+use std::collections::VecDeque;
+
+/// Faces about a node that are remembered.
+const MOST: usize = 16;
+/// Sizes of the faces about a node, or of all faces on average, beyond which it meets nothing [1].
+const REACH: f64 = 8.0;
+
+/// What a surface of faces knows of its own parts.
+#[derive(Debug, Clone)]
+pub struct OwnFaces {
+    /// The faces that have a node, of every node.
+    at: Vec<Vec<usize>>,
+    /// Those and all that share a corner with them, in order.
+    near: Vec<Vec<usize>>,
+    /// Of every node: of two that meet, the lower one is the slave.
+    ranks: Vec<usize>,
+    /// How far every node looks [L].
+    reach: Vec<f64>,
+    /// Undeformed positions of the nodes [L].
+    reference: Vec<Vector>,
+    /// Depth of the part behind every face, undeformed [L]; infinite where nothing ends it.
+    thickness: Vec<f64>,
+}
+
+/// A surface of faces where it stands.
+#[derive(Clone, Copy)]
+pub struct PlacedOwn<'a> {
+    /// Its faces.
+    pub mesh: &'a FaceMesh,
+    /// Positions of its nodes [L].
+    pub positions: &'a [Vector],
+    /// A tree fitted to them.
+    pub tree: &'a FaceTree,
+}
+
+/// A face that a node meets, and its distance [L].
+#[derive(Clone, Copy)]
+struct Met {
+    face: usize,
+    distance: f64,
+}
+
+/// A node with the unit normals of the faces about it.
+struct Looking {
+    node: usize,
+    point: Vector,
+    normals: [Vector; MOST],
+    count: usize,
+}
+
+impl OwnFaces {
+    /// The surface of faces whose nodes stand at `reference` undeformed [L].
+    pub fn new(mesh: &FaceMesh, reference: &[Vector]) -> Self {
+        let mut at = vec![Vec::new(); reference.len()];
+        for (face, own) in mesh.faces().iter().enumerate() {
+            own.nodes.iter().for_each(|&node| at[node].push(face));
+        }
+        let near = at.iter().map(|faces| {
+            let around = faces.iter().flat_map(|&face| mesh.around(face).iter().copied());
+            let mut near: Vec<usize> = faces.iter().copied().chain(around).collect();
+            near.sort_unstable();
+            near.dedup();
+            near
+        });
+        let near: Vec<Vec<usize>> = near.collect();
+        let sizes: Vec<f64> =
+            (0..mesh.faces().len()).map(|face| mesh.size(face, reference)).collect();
+        let mean = |faces: &[usize]| {
+            faces.iter().map(|&face| sizes[face]).sum::<f64>() / faces.len().max(1) as f64
+        };
+        let fineness: Vec<f64> = near.iter().map(|faces| mean(faces)).collect();
+        let all = sizes.iter().sum::<f64>() / sizes.len().max(1) as f64;
+        let reach = fineness.iter().map(|&own| REACH * own.max(all)).collect();
+        let tree = faces::tree(mesh, reference);
+        let depth = |face: usize| depth_behind((mesh, reference), &tree, (face, sizes[face]));
+        let thickness = (0..mesh.faces().len()).map(depth).collect();
+        let ranks = ranks((mesh, reference), &at, &fineness);
+        Self { at, near, ranks, reach, reference: reference.to_vec(), thickness }
+    }
+
+    /// Whether a node can pass through a face.
+    pub fn stops(&self, node: usize, face: usize) -> bool {
+        self.near[node].binary_search(&face).is_err()
+    }
+
+    /// What a node meets: the nearest face that it may meet, unless that one's nearest node meets it
+    /// here and ranks before it. Open ends are prolonged by `extension` of their faces; the face
+    /// `before`, on which it stood, keeps it until it is well beyond its edge.
+    pub fn closest(
+        &self,
+        placed: PlacedOwn<'_>,
+        (node, extension, before): (usize, f64, Option<usize>),
+        room: &mut PlacedFace,
+    ) -> Option<FacePlace> {
+        let looking = self.looking(placed, node);
+        let met = self.nearest(placed, &looking)?;
+        let apart = |&other: &usize| size(sub(placed.positions[other], looking.point));
+        let nodes = placed.mesh.faces()[met.face].nodes.iter().copied();
+        let other = nodes.min_by(|a, b| apart(a).total_cmp(&apart(b)))?;
+        if self.ranks[other] < self.ranks[node] {
+            let reach = met.distance + HERE * apart(&other);
+            let back = self.nearest(placed, &self.looking(placed, other));
+            let yields = back.is_some_and(|back| {
+                let own = &placed.mesh.faces()[back.face].nodes;
+                back.distance <= reach && own.contains(&node)
+            });
+            if yields {
+                return None;
+            }
+        }
+        self.place(placed, (&looking, met, extension, before), room)
+    }
+
+    /// What a node meets, whichever of both is the slave.
+    pub fn met(
+        &self,
+        placed: PlacedOwn<'_>,
+        (node, extension): (usize, f64),
+        room: &mut PlacedFace,
+    ) -> Option<FacePlace> {
+        let looking = self.looking(placed, node);
+        let met = self.nearest(placed, &looking)?;
+        self.place(placed, (&looking, met, extension, None), room)
+    }
+
+    fn place(
+        &self,
+        PlacedOwn { mesh, positions, .. }: PlacedOwn<'_>,
+        (looking, met, extension, before): (&Looking, Met, f64, Option<usize>),
+        room: &mut PlacedFace,
+    ) -> Option<FacePlace> {
+        let point = looking.point;
+        let may_keep = |&face: &usize| {
+            self.stops(looking.node, face) && looking.looks_at(mesh.normal(face, positions))
+        };
+        let kept = before
+            .filter(may_keep)
+            .and_then(|face| keep(mesh, positions, (face, point), (extension, met.distance), room));
+        if kept.is_some() {
+            return kept;
+        }
+        let stops = |face: usize| self.stops(looking.node, face);
+        walk((mesh, positions), (met.face, point, extension), stops, room)
+    }
+
+    fn looking(&self, PlacedOwn { mesh, positions, .. }: PlacedOwn<'_>, node: usize) -> Looking {
+        let mut normals = [[0.0; 3]; MOST];
+        let own = self.at[node].iter().map(|&face| mesh.normal(face, positions));
+        let count = normals.iter_mut().zip(own).map(|(into, own)| *into = own).count();
+        Looking { node, point: positions[node], normals, count }
+    }
+
+    fn nearest(&self, placed: PlacedOwn<'_>, looking: &Looking) -> Option<Met> {
+        let measure = |face: usize| self.distance(placed, looking, face);
+        let found = placed.tree.nearest_within(looking.point, self.reach[looking.node], measure);
+        found.map(|(face, square)| Met { face, distance: square.sqrt() })
+    }
+
+    /// Square of the distance of a node from a face [L2]; infinite where it may not meet it.
+    fn distance(
+        &self,
+        PlacedOwn { mesh, positions, .. }: PlacedOwn<'_>,
+        looking: &Looking,
+        face: usize,
+    ) -> f64 {
+        if !self.stops(looking.node, face) {
+            return f64::INFINITY;
+        }
+        let normal = mesh.normal(face, positions);
+        if !looking.looks_at(normal) {
+            return f64::INFINITY;
+        }
+        let (square, _) = nearest_of(mesh, positions, face, looking.point);
+        let height = dot(normal, sub(looking.point, mesh.middle(face, positions)));
+        let is_sunk = || {
+            square.sqrt() <= SUNK * self.thickness[face]
+                && !self.is_inside(mesh, looking.node, face)
+        };
+        if height >= 0.0 || is_sunk() { square } else { f64::INFINITY }
+    }
+
+    /// Whether a node and a face were back to back at the start, with their own part between them.
+    fn is_inside(&self, mesh: &FaceMesh, node: usize, face: usize) -> bool {
+        let reference = &self.reference[..];
+        let own = self.at[node].iter().map(|&face| self.thickness[face]);
+        let own = own.fold(f64::INFINITY, f64::min);
+        let normal = mesh.normal(face, reference);
+        let from = reference[node];
+        let (square, _) = nearest_of(mesh, reference, face, from);
+        // to the middle: which side of the part it leads to is asked, not how far
+        let way = sub(mesh.middle(face, reference), from);
+        let inward = self.at[node].iter().all(|&own| dot(mesh.normal(own, reference), way) <= 0.0);
+        let near = INSIDE_OF * own.min(self.thickness[face]) + mesh.size(face, reference);
+        square.sqrt() <= near && inward && dot(normal, way) > 0.0
+    }
+}
+
+impl Looking {
+    /// Whether one of the faces about the node and a face with that normal look at one another.
+    fn looks_at(&self, normal: Vector) -> bool {
+        self.normals[..self.count].iter().any(|own| dot(*own, normal) < 0.0)
+    }
+}
+
+/// How far the straight way inward from the middle of a face leads to the next face that ends its
+/// part [L]; looked for within twice the distance, and twice, as long as there is more of it.
+fn depth_behind(
+    (mesh, reference): (&FaceMesh, &[Vector]),
+    tree: &FaceTree,
+    (face, own): (usize, f64),
+) -> f64 {
+    let (from, inward) = (mesh.middle(face, reference), scale(mesh.normal(face, reference), -1.0));
+    let all = tree.bounds().map_or(0.0, |(low, high)| size(sub(high, low)));
+    let mut length = own;
+    while length > 0.0 {
+        let to = add(from, scale(inward, length));
+        let low = std::array::from_fn(|k| from[k].min(to[k]));
+        let high = std::array::from_fn(|k| from[k].max(to[k]));
+        let mut least = f64::INFINITY;
+        tree.overlapping((low, high), |other| {
+            if other != face {
+                least = least.min(depth_of((mesh, reference), other, (from, inward)));
+            }
+        });
+        if least <= length || length > all {
+            return least;
+        }
+        length *= 2.0;
+    }
+    f64::INFINITY
+}
+
+/// How far a way leads until it leaves the material through a face [L]; infinite where it does not.
+fn depth_of(
+    (mesh, reference): (&FaceMesh, &[Vector]),
+    face: usize,
+    (from, way): (Vector, Vector),
+) -> f64 {
+    let own = &mesh.faces()[face];
+    let triangles: &[[usize; 3]] = match own.cell.faces.len() {
+        3 => &[[0, 1, 2]],
+        _ => &[[0, 1, 2], [0, 2, 3]],
+    };
+    let depth = |triangle: &[usize; 3]| {
+        let [a, b, c] = triangle.map(|corner| reference[own.nodes[corner]]);
+        let (first, second, to) = (sub(b, a), sub(c, a), sub(from, a));
+        let normal = cross(first, second);
+        let leaves = dot(normal, way);
+        if leaves <= 0.0 {
+            return f64::INFINITY;
+        }
+        // a + v (b - a) + w (c - a) = from + depth way
+        let aside = cross(to, way);
+        let (v, w) = (-dot(second, aside) / leaves, dot(first, aside) / leaves);
+        let depth = -dot(normal, to) / leaves;
+        let hits = depth > 0.0 && v >= -super::INSIDE && w >= -super::INSIDE;
+        if hits && v + w <= 1.0 + super::INSIDE { depth } else { f64::INFINITY }
+    };
+    triangles.iter().map(depth).fold(f64::INFINITY, f64::min)
+}
+
+/// Sharp edges that stand out come first, then what has smaller faces, in classes of twice the size,
+/// then all as they follow one another over the surface.
+fn ranks(
+    (mesh, reference): (&FaceMesh, &[Vector]),
+    at: &[Vec<usize>],
+    fineness: &[f64],
+) -> Vec<usize> {
+    let mut is_edge = vec![false; at.len()];
+    for (face, own) in mesh.faces().iter().enumerate() {
+        let normal = mesh.normal(face, reference);
+        let corners = own.cell.faces.len();
+        for edge in 0..corners {
+            let Some(other) = mesh.neighbour(face, edge) else { continue };
+            let aside = sub(mesh.middle(other, reference), mesh.middle(face, reference));
+            if is_crease(normal, mesh.normal(other, reference)) && dot(aside, normal) < 0.0 {
+                let ends = [edge, (edge + 1) % corners, corners + edge];
+                let nodes = ends.iter().filter_map(|&end| own.nodes.get(end));
+                nodes.for_each(|&node| is_edge[node] = true);
+            }
+        }
+    }
+    let longest = fineness.iter().copied().fold(0.0, f64::max);
+    let class = |node: usize| -((longest / fineness[node]).log2() + 0.5).floor() as i64;
+    let follows = following(mesh, at);
+    let mut order: Vec<usize> = (0..at.len()).collect();
+    order.sort_by_key(|&node| (!is_edge[node], class(node), follows[node]));
+    let mut ranks = vec![0; at.len()];
+    for (rank, node) in order.into_iter().enumerate() {
+        ranks[node] = rank;
+    }
+    ranks
+}
+
+/// The number of every node as they follow one another over the surface from an end of it, one
+/// connected stretch after the other: neighbours have numbers near to one another.
+fn following(mesh: &FaceMesh, at: &[Vec<usize>]) -> Vec<usize> {
+    let mut number = vec![usize::MAX; at.len()];
+    let mut count = 0;
+    let mut seen = vec![usize::MAX; at.len()];
+    for first in 0..at.len() {
+        if number[first] != usize::MAX {
+            continue;
+        }
+        let stretch = spreading(mesh, at, first, (&mut seen, first));
+        let end = stretch.last().copied().unwrap_or(first);
+        // a mark of its own: the stretch is gone over once more, from its end
+        for node in spreading(mesh, at, end, (&mut seen, at.len() + first)) {
+            number[node] = count;
+            count += 1;
+        }
+    }
+    number
+}
+
+/// The nodes of a stretch in the order in which a wave from one of them meets them; what it met is
+/// marked.
+fn spreading(
+    mesh: &FaceMesh,
+    at: &[Vec<usize>],
+    from: usize,
+    (seen, mark): (&mut [usize], usize),
+) -> Vec<usize> {
+    let mut open = VecDeque::from([from]);
+    seen[from] = mark;
+    let mut order = Vec::new();
+    while let Some(node) = open.pop_front() {
+        order.push(node);
+        for &face in &at[node] {
+            for &next in &mesh.faces()[face].nodes {
+                if seen[next] != mark {
+                    seen[next] = mark;
+                    open.push_back(next);
+                }
+            }
+        }
+    }
+    order
+}
+
+#[cfg(test)]
+mod tests;
