@@ -98,3 +98,28 @@ fn one_of_two_that_meet_is_the_slave() {
     assert!(!slaves.is_empty());
     assert!(slaves.iter().all(|&n| n < 8) || slaves.iter().all(|&n| n >= 8), "{slaves:?}");
 }
+
+/// Requirement: both sides of one wall do not meet, however flat it is pressed.
+#[test]
+fn the_sides_of_a_wall_do_not_meet() {
+    const CELLS: usize = 4;
+    let node = |side: usize, i: usize, j: usize| side * (CELLS + 1).pow(2) + j * (CELLS + 1) + i;
+    let (mut faces, mut nodes) = (Vec::new(), Vec::new());
+    for side in 0..2 {
+        for (j, i) in (0..=CELLS).flat_map(|j| (0..=CELLS).map(move |i| (j, i))) {
+            nodes.push([i as f64, j as f64, side as f64]);
+            if i < CELLS && j < CELLS {
+                let round = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|[a, b]| node(side, i + a, j + b));
+                let [a, b, c, d] = round;
+                let round = if side == 1 { [a, b, c, d] } else { [a, d, c, b] };
+                faces.push(MeshFace { cell: &QUAD4, nodes: round.to_vec() });
+            }
+        }
+    }
+    let mesh = FaceMesh::new(faces, &nodes, false);
+    let own = OwnFaces::new(&mesh, &nodes);
+    for flat in [1.0, 0.45, 0.1] {
+        let pressed: Vec<Vector> = nodes.iter().map(|&[x, y, z]| [x, y, flat * z]).collect();
+        assert!((0..nodes.len()).all(|node| met(&mesh, &pressed, &own, node).is_none()), "{flat}");
+    }
+}
