@@ -118,14 +118,12 @@ impl Contact {
         let master = &self.masters[point.pair];
         match master {
             MasterSurface::Nothing => {}
-            MasterSurface::Faces { mesh, nodes, itself, .. } => {
+            MasterSurface::Faces { mesh, nodes, .. } => {
                 let positions = |u: &[f64]| -> Vec<_> {
                     nodes.iter().map(|(at, dofs)| dofs.displace(*at, u)).collect()
                 };
                 let (before, after) = (positions(from), positions(to));
-                let stops =
-                    |&face: &usize| itself.as_ref().is_none_or(|own| own.stops(point.seat, face));
-                let all = (0..mesh.faces().len()).filter(stops);
+                let all = (0..mesh.faces().len()).filter(|&face| master.stops(point.seat, face));
                 cross_faces(mesh, (&before, &after), all, (start, end), |crossing| {
                     inward |= crossing.inward;
                 });
@@ -135,12 +133,12 @@ impl Contact {
                 let way = (local(start, from), local(end, to));
                 surface.crossings(way, |crossing, _| inward |= crossing.inward);
             }
-            MasterSurface::Line { nodes, itself: Some(own), .. } => {
+            MasterSurface::Line { nodes, itself: Some(_), .. } => {
                 let positions = |u: &[f64]| -> Vec<_> {
                     nodes.iter().map(|(at, dofs)| dofs.displace(*at, u)).collect()
                 };
                 let (before, after) = (positions(from), positions(to));
-                let parts = (0..nodes.len() - 1).filter(|&part| own.stops(point.seat, part));
+                let parts = (0..nodes.len() - 1).filter(|&part| master.stops(point.seat, part));
                 cross_parts((&before, &after), parts, (start, end), |crossing| {
                     inward |= crossing.inward;
                 });

@@ -168,9 +168,10 @@ impl Contact {
             if apart(&way, &room) {
                 continue;
             }
+            let stops = |&part: &usize| self.masters[pair].stops(point.seat, part);
             match &self.masters[pair] {
                 MasterSurface::Nothing => {}
-                MasterSurface::Faces { mesh, nodes, offset, itself, .. } => {
+                MasterSurface::Faces { mesh, nodes, offset, .. } => {
                     let range = *offset..offset + nodes.len();
                     let positions = (&chains[0].nodes[range.clone()], &chains[1].nodes[range]);
                     let Some(tree) = chains[0].face_tree(pair) else { continue };
@@ -178,8 +179,7 @@ impl Contact {
                     let known = self.outlook(point, &u[1]);
                     let outlook = Outlook::of(&known);
                     let meets = |&face: &usize| {
-                        outlook.meets(mesh.normal(face, positions.1))
-                            && itself.as_ref().is_none_or(|own| own.stops(point.seat, face))
+                        outlook.meets(mesh.normal(face, positions.1)) && stops(&face)
                     };
                     let faces = near.iter().copied().filter(meets);
                     cross_faces(mesh, positions, faces, (way[0], way[1]), |crossing| {
@@ -197,13 +197,10 @@ impl Contact {
                         events.push((place, Event { fraction: share(own.fraction), ..own }));
                     });
                 }
-                MasterSurface::Line { chain, nodes, offset, itself, .. } => {
+                MasterSurface::Line { chain, nodes, offset, .. } => {
                     let range = *offset..offset + nodes.len();
                     let positions = (&chains[0].nodes[range.clone()], &chains[1].nodes[range]);
                     chain.near_way(chains[0].tree(pair), (way[0], way[1]), near);
-                    let stops = |&part: &usize| {
-                        itself.as_ref().is_none_or(|own| own.stops(point.seat, part))
-                    };
                     let parts = near.iter().copied().filter(stops);
                     cross_parts(positions, parts, (way[0], way[1]), |crossing| {
                         let start = chain.arc_coordinate(crossing.segment);

@@ -122,6 +122,16 @@ impl MasterSurface {
         matches!(self, Self::Line { itself: Some(_), .. } | Self::Faces { itself: Some(_), .. })
     }
 
+    /// Whether the node at a seat of a master can pass through a part or face of it: all can where it
+    /// does not meet itself.
+    pub(super) fn stops(&self, seat: usize, part: usize) -> bool {
+        match self {
+            Self::Line { itself: Some(own), .. } => own.stops(seat, part),
+            Self::Faces { itself: Some(own), .. } => own.stops(seat, part),
+            _ => true,
+        }
+    }
+
     /// The master of a rigid surface on the body of its node; faces of the slave are so long [L].
     pub fn body(
         model: &Model,

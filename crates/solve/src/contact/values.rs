@@ -18,7 +18,6 @@ use slideline_mech::contact::points::faces::tributary_areas as face_areas;
 use slideline_mech::contact::points::{
     Across, chord, integration_points::HermiteLine, tributary_areas,
 };
-use slideline_mech::contact::search::own_faces::OwnFaces;
 use slideline_mech::surface::mesh::FaceMesh;
 use slideline_model::{ContactPair, Formulation, Master, Model, NodeIndex, RigidSurface};
 use std::collections::HashMap;
@@ -194,8 +193,7 @@ impl Contact {
                     *position = model.nodes.get(node).position;
                 }
                 if let Some(own) = itself {
-                    let reference: Vec<_> = nodes.iter().map(|(at, _)| *at).collect();
-                    **own = OwnFaces::new(mesh, &reference);
+                    own.take(mesh, nodes.iter().map(|(at, _)| *at));
                 }
                 true
             }

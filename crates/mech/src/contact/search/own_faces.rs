@@ -96,6 +96,19 @@ impl OwnFaces {
         Self { at, near, ranks, reach, reference: reference.to_vec(), thickness }
     }
 
+    /// The same of nodes that stand elsewhere undeformed; nothing is done where they do not.
+    pub fn take(
+        &mut self,
+        mesh: &FaceMesh,
+        reference: impl ExactSizeIterator<Item = Vector> + Clone,
+    ) {
+        let same = reference.len() == self.reference.len()
+            && reference.clone().zip(&self.reference).all(|(new, old)| new == *old);
+        if !same {
+            *self = Self::new(mesh, &reference.collect::<Vec<_>>());
+        }
+    }
+
     /// Whether a node can pass through a face.
     pub fn stops(&self, node: usize, face: usize) -> bool {
         self.near[node].binary_search(&face).is_err()
