@@ -8,8 +8,8 @@
 use crate::bodies::Bodies;
 use crate::moments::Rehearsal;
 use slideline_model::{
-    ContactPair, Dof, Master, Model, NodeIndex, Prescribed, Presence, ProfilePoint, Step,
-    SurfaceSegment,
+    ContactPair, Dof, Master, MasterFaces, Model, NodeIndex, Prescribed, Presence, ProfilePoint,
+    Step, SurfaceSegment,
 };
 use slideline_solve::observe::ContactRow;
 
@@ -128,9 +128,8 @@ impl<'a> Start<'a> {
             Master::RigidSurface(surface) => surface.reference,
             Master::SlideLine(line) => line.nodes.first().copied().unwrap_or(row.node),
             // its other parts go with it
-            _ if pair.meets_itself() => row.node,
+            Master::Itself(_) | Master::Faces(MasterFaces { meets_itself: true, .. }) => row.node,
             Master::Faces(faces) => faces.first_node().unwrap_or(row.node),
-            Master::Itself(_) => row.node,
         };
         let centre = arc_of(self.model, pair, row.node).map_or(row.position, |(centre, _)| centre);
         let slave = self.carried(step, before, row.node, centre);

@@ -5,7 +5,7 @@ use crate::exit::Exit;
 use crate::run::Interruptible;
 use crate::{interrupt, render, screen};
 use slideline::diag::{Code, Diagnostic, Severity, has_errors};
-use slideline::model::{ContactPair, Formulation, Master, NodeIndex, NormalLaw};
+use slideline::model::{ContactPair, Formulation, Master, MasterFaces, NodeIndex, NormalLaw};
 use slideline::observe::ContactRow;
 use slideline::output::json::{self, Value, json};
 use slideline::output::number::general;
@@ -225,11 +225,10 @@ fn why(read: &Read, pair: &ContactPair) -> &'static str {
     });
     let modern = card.is_some_and(|card| card.keyword.name == "CONTACTPAIR");
     match (&pair.master, modern, pair.formulation) {
-        _ if pair.meets_itself() => {
+        (Master::Itself(_) | Master::Faces(MasterFaces { meets_itself: true, .. }), ..) => {
             "a surface that *CONTACT PAIR names alone meets itself: of two of its nodes that meet, the \
              sharper one is the slave, or the first along the surface"
         }
-        (Master::Itself(_), ..) => "",
         (Master::RigidSurface(_), true, _) if pair.profile.is_some() => {
             "contact is integrated along the profile named first on *CONTACT PAIR, the slave; the one \
              named second is the master"

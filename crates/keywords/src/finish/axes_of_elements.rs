@@ -14,7 +14,6 @@ use slideline_model::{self as model, Elements};
 use super::orientations::{of_name, of_section, unknown};
 use crate::axes::{Distribution, Given, Numbers, system_of};
 use crate::draft::Draft;
-use crate::instances::Target;
 use crate::rule::Subject;
 
 /// The axes of a section.
@@ -46,7 +45,7 @@ impl SectionAxes {
         let mut each = HashMap::new();
         for (target, numbers) in &own.lines {
             let axes = made(numbers, draft)?;
-            each.extend(elements(target, numbers.span, draft).into_iter().map(|own| (own, axes)));
+            each.extend(draft.elements_at(target, numbers.span).into_iter().map(|own| (own, axes)));
         }
         Some(Self::Each(each, default))
     }
@@ -120,20 +119,4 @@ fn system_at(
         Some(motion) => made.moved(|x| motion.point(x), |way| motion.direction(way)),
         None => made,
     })
-}
-
-/// The elements that a line names, by their places in the draft.
-fn elements(target: &Target, span: Span, draft: &mut Draft) -> Vec<usize> {
-    match target {
-        Target::Set(set) => draft.elements_of(set, span).unwrap_or_default(),
-        Target::Label(label) => {
-            let found = draft.element_by_label.get(label).copied();
-            if found.is_none() {
-                let message = format!("element {label} is not defined");
-                let error = Diagnostic::error(Code("SL0308"), message).at(span);
-                draft.consequence(Subject::Elements, error);
-            }
-            found.into_iter().collect()
-        }
-    }
 }

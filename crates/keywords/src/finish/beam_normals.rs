@@ -15,7 +15,6 @@ use slideline_mech::vector::{add, cross, dot, scale, size, sub};
 use slideline_model::{ElementType, NodeIndex};
 
 use crate::draft::{Body, Draft, Element, ElementKind, Normal, Section};
-use crate::instances::Target;
 use crate::rule::Subject;
 
 /// The normals at nodes of elements, by the place of the element in the draft.
@@ -27,7 +26,7 @@ impl Normals {
     pub fn of(draft: &mut Draft) -> Self {
         let mut all = Self::default();
         for line in draft.normals.clone() {
-            let elements = elements(&line, draft);
+            let elements = draft.elements_at(&line.elements, line.origin);
             let nodes = draft.nodes_of(&line.nodes, line.origin);
             if elements.is_empty() || nodes.is_empty() {
                 continue; // which has been said
@@ -112,22 +111,6 @@ impl Normals {
 
 /// Difference of unit vectors above which they are not the same [1].
 const TWISTED: f64 = 1e-6;
-
-/// The elements of a line.
-fn elements(line: &Normal, draft: &mut Draft) -> Vec<usize> {
-    match &line.elements {
-        Target::Set(set) => draft.elements_of(set, line.origin).unwrap_or_default(),
-        Target::Label(label) => {
-            let found = draft.element_by_label.get(label).copied();
-            if found.is_none() {
-                let message = format!("element {label} is not defined");
-                let error = Diagnostic::error(Code("SL0308"), message).at(line.origin);
-                draft.consequence(Subject::Elements, error);
-            }
-            found.into_iter().collect()
-        }
-    }
-}
 
 /// Complains about an element that has no section to turn; false if so.
 fn is_beam(element: &Element, line: &Normal, draft: &mut Draft) -> bool {

@@ -5,8 +5,8 @@ use std::collections::HashMap;
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
-    ContactElement, ContactPair, Interaction, Lumping, Master, NodeIndex, Offset, RigidSurface,
-    SlideLine, Vocabulary,
+    ContactElement, ContactPair, Interaction, Lumping, Master, MasterFaces, NodeIndex, Offset,
+    RigidSurface, SlideLine, Vocabulary,
 };
 
 use crate::draft::{Draft, ElementKind, Shape, Surface};
@@ -239,8 +239,7 @@ pub(super) fn both_sides(pair: &ContactPair, span: Span, draft: &mut Draft) {
     let slaves = pair.slave_nodes();
     let own = match &pair.master {
         // its faces meet others alone
-        _ if pair.meets_itself() => None,
-        Master::Itself(_) => None,
+        Master::Itself(_) | Master::Faces(MasterFaces { meets_itself: true, .. }) => None,
         Master::RigidSurface(rigid) => slaves.contains(&rigid.reference).then_some(rigid.reference),
         Master::SlideLine(line) => {
             let masters: std::collections::HashSet<_> = line.nodes.iter().collect();

@@ -89,16 +89,7 @@ fn on_section(
 fn elements(target: &Target, span: Span, draft: &mut Draft) -> Vec<usize> {
     match target {
         Target::Set(set) if set.is_empty() => (0..draft.elements.len()).collect(),
-        Target::Set(set) => draft.elements_of(set, span).unwrap_or_default(),
-        Target::Label(label) => {
-            let found = draft.element_by_label.get(label).copied();
-            if found.is_none() {
-                let message = format!("element {label} is not defined");
-                let error = Diagnostic::error(Code("SL0308"), message).at(span);
-                draft.consequence(Subject::Elements, error);
-            }
-            found.into_iter().collect()
-        }
+        named => draft.elements_at(named, span),
     }
 }
 

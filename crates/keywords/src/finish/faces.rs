@@ -12,7 +12,6 @@ use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::NodeIndex;
 
 use crate::draft::{Draft, ElementKind};
-use crate::log::Target;
 use crate::rule::Subject;
 use crate::surfaces::{Extent, NamedSurface, Stretch};
 
@@ -44,29 +43,13 @@ pub(super) fn faces(surface: &NamedSurface, user: Span, draft: &mut Draft) -> Ve
     };
     let mut faces = Vec::new();
     for stretch in stretches {
-        let found = elements_of(stretch, draft);
+        let found = draft.elements_at(&stretch.elements, stretch.span);
         faces.extend(of_stretch(&found, stretch, draft));
     }
     // a surface is a set: a face that two of its lines name is there once
     let mut seen = HashSet::new();
     faces.retain(|face| seen.insert((face.element, face.face)));
     faces
-}
-
-/// The elements that a line of a surface names.
-pub(super) fn elements_of(stretch: &Stretch, draft: &mut Draft) -> Vec<usize> {
-    match &stretch.elements {
-        Target::Set(set) => draft.elements_of(set, stretch.span).unwrap_or_default(),
-        Target::Label(label) => {
-            let found = draft.element_by_label.get(label).copied();
-            if found.is_none() {
-                let message = format!("element {label} is not defined");
-                let error = Diagnostic::error(Code("SL0308"), message).at(stretch.span);
-                draft.consequence(Subject::Elements, error);
-            }
-            found.into_iter().collect()
-        }
-    }
 }
 
 /// The faces that a line of a surface names of elements, or their free ones.
@@ -85,7 +68,7 @@ pub(super) fn check(draft: &mut Draft) {
         let Extent::Elements(stretches) = &surface.extent else { continue };
         for stretch in stretches {
             let Some(face) = stretch.face else { continue };
-            let found = elements_of(stretch, draft);
+            let found = draft.elements_at(&stretch.elements, stretch.span);
             let lacks = |&&index: &&usize| face_nodes(index, Some(face), draft).is_none();
             if let Some(&index) = found.iter().find(lacks) {
                 no_face(index, face, stretch.span, draft);

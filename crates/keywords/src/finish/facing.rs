@@ -5,7 +5,6 @@ use std::collections::HashMap;
 use slideline_diag::{Code, Diagnostic};
 use slideline_model::{ContactFace, NodeIndex};
 
-use super::faces::elements_of;
 use super::rigid_faces::is_rigid;
 use super::surfaces::Found;
 use crate::draft::Draft;
@@ -75,7 +74,7 @@ fn is_open(surface: &NamedSurface, draft: &mut Draft) -> bool {
     let Extent::Elements(stretches) = &surface.extent else { return false };
     let mut sides: HashMap<usize, Option<Side>> = HashMap::new();
     for stretch in stretches {
-        for index in elements_of(stretch, draft) {
+        for index in draft.elements_at(&stretch.elements, stretch.span) {
             let known = *sides.entry(index).or_insert(stretch.side);
             if is_rigid(index, draft) && (stretch.side.is_none() || known != stretch.side) {
                 return true;

@@ -133,21 +133,10 @@ fn begun(block: &ElementBlock, own: Option<&InitialHardening>) -> Option<Vec<f64
     sound.then_some(state)
 }
 
+/// The numbers of the elements that a line names.
 fn labels(target: &Target, span: Span, draft: &mut Draft) -> Vec<u64> {
-    match target {
-        Target::Set(set) => {
-            let found = draft.elements_of(set, span).unwrap_or_default();
-            found.into_iter().map(|own| draft.elements[own].label).collect()
-        }
-        Target::Label(label) => {
-            if !draft.element_by_label.contains_key(label) {
-                let message = format!("element {label} is not defined");
-                let error = Diagnostic::error(Code("SL0308"), message).at(span);
-                draft.consequence(Subject::Elements, error);
-            }
-            vec![*label]
-        }
-    }
+    let found = draft.elements_at(target, span);
+    found.into_iter().map(|own| draft.elements[own].label).collect()
 }
 
 /// The stress of one element; complains where it has none.

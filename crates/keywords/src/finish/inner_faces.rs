@@ -11,7 +11,7 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use slideline_diag::{Code, Diagnostic};
 use slideline_model::NodeIndex;
 
-use super::faces::{elements_of, face_nodes};
+use super::faces::face_nodes;
 use crate::draft::{Draft, ElementKind};
 use crate::rule::Subject;
 use crate::surfaces::{Extent, NamedSurface, Pairing};
@@ -53,7 +53,7 @@ fn named_faces(surface: &NamedSurface, draft: &mut Draft) -> Vec<(Named, Key)> {
     let mut found = Vec::new();
     for stretch in stretches {
         let Some(face) = stretch.face else { continue };
-        for element in elements_of(stretch, draft) {
+        for element in draft.elements_at(&stretch.elements, stretch.span) {
             let is_beam = draft.elements[element].kind.is_beam();
             if let (false, Some(nodes)) = (is_beam, face_nodes(element, Some(face), draft)) {
                 found.push(((element, face), sorted(nodes)));

@@ -70,6 +70,26 @@ impl Draft {
         Some(labels.iter().filter_map(|label| self.element_by_label.get(label).copied()).collect())
     }
 
+    /// The elements of a set, or the one of that number, by their places; none where undefined, which
+    /// is reported.
+    pub(super) fn elements_at(&mut self, target: &Target, span: Span) -> Vec<usize> {
+        match target {
+            Target::Set(set) => self.elements_of(set, span).unwrap_or_default(),
+            Target::Label(label) => self.element_at(*label, span).into_iter().collect(),
+        }
+    }
+
+    /// The element of that number, by its place; `None` where undefined, which is reported.
+    pub(super) fn element_at(&mut self, label: u64, span: Span) -> Option<usize> {
+        let found = self.element_by_label.get(&label).copied();
+        if found.is_none() {
+            let message = format!("element {label} is not defined");
+            let error = Diagnostic::error(Code("SL0308"), message).at(span);
+            self.consequence(Subject::Elements, error);
+        }
+        found
+    }
+
     /// Places of the first two nodes of an element; `None` where undefined,
     /// which has been reported.
     pub(super) fn ends_of(&self, element: &Element) -> Option<[NodeIndex; 2]> {

@@ -217,18 +217,7 @@ fn fits(
 
 /// The elements that a target names, those of contact apart by their numbers.
 fn elements(target: &Target, span: Span, draft: &mut Draft) -> (Vec<usize>, Vec<u64>) {
-    let found = match target {
-        Target::Set(set) => draft.elements_of(set, span).unwrap_or_default(),
-        Target::Label(label) => {
-            let found = draft.element_by_label.get(label).copied();
-            if found.is_none() {
-                let message = format!("element {label} is not defined");
-                let error = Diagnostic::error(Code("SL0308"), message).at(span);
-                draft.consequence(Subject::Elements, error);
-            }
-            found.into_iter().collect()
-        }
-    };
+    let found = draft.elements_at(target, span);
     let kind = |own: &usize| draft.elements[*own].kind;
     let contact = found.iter().filter(|own| kind(own).is_contact());
     let contact = contact.map(|own| draft.elements[*own].label).collect();

@@ -102,12 +102,7 @@ type End = (Vec<usize>, HashSet<NodeIndex>, Option<[f64; 3]>);
 
 /// The last node of a line element, and the direction of the element.
 fn end_of(label: u64, span: Span, draft: &mut Draft) -> Option<End> {
-    let Some(&index) = draft.element_by_label.get(&label) else {
-        let message = format!("element {label} is not defined");
-        let error = Diagnostic::error(Code("SL0308"), message).at(span);
-        draft.consequence(Subject::Elements, error);
-        return None;
-    };
+    let index = draft.element_at(label, span)?;
     let element = draft.elements[index];
     if !element.kind.is_line() {
         let message = format!("a {} element is cut by a surface", element.kind.name());

@@ -10,7 +10,7 @@ use slideline_model::{
 };
 
 use super::chain::Facet;
-use super::faces::{elements_of, free_faces, of_stretch};
+use super::faces::{free_faces, of_stretch};
 use super::owners::owner;
 use super::rigid_faces;
 use super::swept::swept;
@@ -82,7 +82,10 @@ fn is_in_space(stretches: &[Stretch], draft: &mut Draft) -> bool {
         kind => kind.bare().is_some_and(|mesh| mesh.spatial),
     };
     stretches.iter().any(|stretch| {
-        elements_of(stretch, draft).first().is_some_and(|index| volume(index, draft))
+        draft
+            .elements_at(&stretch.elements, stretch.span)
+            .first()
+            .is_some_and(|index| volume(index, draft))
     })
 }
 
@@ -91,7 +94,7 @@ fn spatial_faces(surface: &NamedSurface, draft: &mut Draft) -> Option<Vec<Contac
     let Extent::Elements(stretches) = &surface.extent else { return None };
     let (mut found, mut seen) = (Vec::new(), HashSet::new());
     for stretch in stretches {
-        let elements = elements_of(stretch, draft);
+        let elements = draft.elements_at(&stretch.elements, stretch.span);
         let (rigid, others) = rigid_faces::apart(&elements, draft);
         for index in rigid {
             let Some(nodes) = rigid_faces::of(index, stretch, draft) else { continue };
@@ -157,7 +160,7 @@ fn facets(surface: &NamedSurface, stretches: &[Stretch], draft: &mut Draft) -> O
     let mut facets: Vec<Facet> = Vec::new();
     let mut seen = HashSet::new();
     for stretch in stretches {
-        let all = elements_of(stretch, draft);
+        let all = draft.elements_at(&stretch.elements, stretch.span);
         let (rigid, others) = rigid_faces::apart(&all, draft);
         let (beams, others): (Vec<usize>, Vec<usize>) =
             others.into_iter().partition(|&index| draft.elements[index].kind.is_line());

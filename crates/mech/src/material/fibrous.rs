@@ -11,8 +11,7 @@
 use super::answer::Answer;
 use super::elastic::Elastic;
 use super::tensor::{
-    COUNTS, Matrix, Symmetric, add_dyad, add_unit, carried, contract, deformation, deviator,
-    pushed, right, trace,
+    COUNTS, Matrix, Symmetric, add_dyad, carried, contract, deformation, deviator, pushed, right,
 };
 use crate::differentiate::{Real, Second, ln_1p, taylor};
 
@@ -81,26 +80,18 @@ impl Fibrous {
 
     /// Answer to a small strain.
     pub fn small(&self, strain: &Symmetric) -> Answer {
-        let (shear, bulk) = (2.0 * self.matrix, 2.0 / self.softness);
-        let (shape, volume) = (deviator(strain), trace(strain));
-        let even = |k: usize| if k < 3 { bulk * volume } else { 0.0 };
-        let mut stress: Symmetric = std::array::from_fn(|k| 2.0 * shear * shape[k] + even(k));
-        let mut moduli = [[0.0; 6]; 6];
-        add_unit(&mut moduli, 2.0 * shear);
-        let own = bulk - 2.0 / 3.0 * shear;
-        (0..3).for_each(|i| (0..3).for_each(|j| moduli[i][j] += own));
-        let mut energy = shear * contract(&shape, &shape) + 0.5 * bulk * volume * volume;
+        let mut answer = self.small_matrix().small(strain);
         for [a, b, c] in &self.directions {
             let across = [a * a, b * b, c * c, a * b, a * c, b * c];
             let way = deviator(&across).map(|x| 2.0 * (1.0 - 3.0 * self.dispersion) * x);
             let stretch = contract(&way, strain);
             if stretch > 0.0 {
-                (0..6).for_each(|k| stress[k] += self.stiffness * stretch * way[k]);
-                add_dyad(&mut moduli, self.stiffness, &way);
-                energy += 0.5 * self.stiffness * stretch * stretch;
+                (0..6).for_each(|k| answer.stress[k] += self.stiffness * stretch * way[k]);
+                add_dyad(&mut answer.moduli, self.stiffness, &way);
+                answer.energy += 0.5 * self.stiffness * stretch * stretch;
             }
         }
-        Answer { stress, moduli, energy, dissipation: 0.0 }
+        answer
     }
 
     /// Answer to a deformation.

@@ -23,6 +23,16 @@ pub struct MeshFace {
     pub nodes: Vec<usize>,
 }
 
+impl MeshFace {
+    /// The triangles between its corners, by their places among its nodes.
+    pub fn triangles(&self) -> &'static [[usize; 3]] {
+        match self.cell.faces.len() {
+            3 => &[[0, 1, 2]],
+            _ => &[[0, 1, 2], [0, 2, 3]],
+        }
+    }
+}
+
 /// The corner nodes of a face's edge.
 pub(super) fn edge(face: &MeshFace, edge: usize) -> [usize; 2] {
     let corners = face.cell.faces.len();

@@ -19,7 +19,7 @@ use super::star::{Corner, Star, StarNormal};
 use super::swept::Swept;
 use crate::axes::Axes;
 use crate::element::cell::QUAD4;
-use crate::vector::{Vector, add, scale, size};
+use crate::vector::{Vector, add, dot, scale, size, sub};
 use std::collections::HashMap;
 
 /// What follows from the way in which faces are joined.
@@ -189,6 +189,13 @@ impl FaceMesh {
         let corners = own.cell.faces.len();
         let sum = own.nodes[..corners].iter().fold([0.0; 3], |sum, &n| add(sum, positions[n]));
         scale(sum, 1.0 / corners as f64)
+    }
+
+    /// Whether a face and a neighbour of it meet at a crease that stands out.
+    pub fn stands_out(&self, face: usize, other: usize, positions: &[Vector]) -> bool {
+        let normal = self.normal(face, positions);
+        let aside = sub(self.middle(other, positions), self.middle(face, positions));
+        is_crease(normal, self.normal(other, positions)) && dot(aside, normal) < 0.0
     }
 
     /// Size of a face: the root of its area [L].

@@ -35,6 +35,15 @@ struct PlacedFaces<'a> {
     itself: Option<&'a OwnFaces>,
 }
 
+/// The faces of a pair that meet themselves where they stand.
+fn own_faces<'a>(
+    (pair, placed): (usize, &PlacedFaces<'a>),
+    positions: &'a MasterPositions,
+) -> Option<PlacedOwn<'a>> {
+    let (tree, standing) = (positions.face_tree(pair)?, positions.standing.get(pair)?);
+    Some(PlacedOwn { mesh: placed.mesh, positions: placed.positions, standing, tree })
+}
+
 impl Contact {
     fn placed_faces<'a>(
         &'a self,
@@ -65,7 +74,7 @@ impl Contact {
         let tree = positions.face_tree(point.pair)?;
         let reach = extension.unwrap_or(placed.extension);
         if let Some(own) = placed.itself {
-            let on = PlacedOwn { mesh: placed.mesh, positions: placed.positions, tree };
+            let on = own_faces((point.pair, &placed), positions)?;
             return own.closest(on, (point.seat, reach, before), room.face());
         }
         let at = (position, reach, before, outlook);
@@ -82,12 +91,10 @@ impl Contact {
         let Some(placed) = self.placed_faces(point.pair, positions) else {
             return self.masters[point.pair].met_itself((positions, point.pair), point.seat);
         };
-        let (own, tree) = (placed.itself?, positions.face_tree(point.pair)?);
-        let (mesh, mut room) = (placed.mesh, FaceRoom::default());
-        let on = PlacedOwn { mesh, positions: placed.positions, tree };
-        let place = own.met(on, (point.seat, placed.extension), room.face())?;
+        let (on, mut room) = (own_faces((point.pair, &placed), positions)?, FaceRoom::default());
+        let place = placed.itself?.met(on, (point.seat, placed.extension), room.face())?;
         let at = (place, placed.positions[point.seat]);
-        Some(-FacePoint::new(mesh, placed.positions, at, None, &mut room)?.gap().gap)
+        Some(-FacePoint::new(placed.mesh, placed.positions, at, None, &mut room)?.gap().gap)
     }
 
     /// Overclosure of a point that faces nothing, were open ends prolonged [L].

@@ -4,6 +4,7 @@ use super::master::MasterSurface;
 use super::pairs::Contact;
 use super::positions::MasterPositions;
 use slideline_mech::contact::search::faces;
+use slideline_mech::contact::search::own_faces::Standing;
 
 /// Segments from which on a tree pays.
 const LONG: usize = 48;
@@ -37,14 +38,18 @@ impl Contact {
         into.reaches.clear();
         into.trees.resize(self.masters.len(), None);
         into.face_trees.resize(self.masters.len(), None);
-        let trees = into.trees.iter_mut().zip(&mut into.face_trees);
-        for (master, (tree, face_tree)) in self.masters.iter().zip(trees) {
-            if let MasterSurface::Faces { mesh, nodes, offset, .. } = master {
+        into.standing.resize_with(self.masters.len(), Standing::default);
+        let trees = into.trees.iter_mut().zip(&mut into.face_trees).zip(&mut into.standing);
+        for (master, ((tree, face_tree), standing)) in self.masters.iter().zip(trees) {
+            if let MasterSurface::Faces { mesh, nodes, offset, itself, .. } = master {
                 into.nodes.extend(nodes.iter().map(|(at, dofs)| dofs.displace(*at, u)));
                 let own = &into.nodes[*offset..];
                 match face_tree {
                     Some(tree) => tree.fit(|face| faces::bounds(mesh, own, face)),
                     None => *face_tree = Some(faces::tree(mesh, own)),
+                }
+                if itself.is_some() {
+                    standing.take(mesh, own);
                 }
             }
             let MasterSurface::Line { chain, nodes, offset, itself, .. } = master else { continue };

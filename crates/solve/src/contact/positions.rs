@@ -7,6 +7,7 @@
 
 use slideline_mech::contact::search::chain::{ChainTree, Nearby};
 use slideline_mech::contact::search::faces::FaceTree;
+use slideline_mech::contact::search::own_faces::Standing;
 use std::ops::Range;
 
 /// Positions of the nodes of all deforming masters in one configuration.
@@ -20,6 +21,8 @@ pub struct MasterPositions {
     pub(super) trees: Vec<Option<ChainTree>>,
     /// A tree a pair, where its master is made of faces.
     pub(super) face_trees: Vec<Option<FaceTree>>,
+    /// How the faces of a master that meets itself stand, a pair each; empty elsewhere.
+    pub(super) standing: Vec<Standing>,
 }
 
 impl MasterPositions {

@@ -217,12 +217,8 @@ pub(super) fn nearest_of(
 ) -> (f64, [f64; 2]) {
     let own = &mesh.faces()[face];
     let corner = |k: usize| positions[own.nodes[k]];
-    let triangles: &[[usize; 3]] = match own.cell.faces.len() {
-        3 => &[[0, 1, 2]],
-        _ => &[[0, 1, 2], [0, 2, 3]],
-    };
     let mut best = (f64::INFINITY, [0.0; 2]);
-    for triangle in triangles {
+    for triangle in own.triangles() {
         let (square, shares) = nearest_of_triangle(triangle.map(corner), point);
         if square < best.0 {
             let mut at = [0.0; 2];

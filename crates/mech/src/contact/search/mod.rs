@@ -6,8 +6,8 @@
 //!    o---o---+--o---o
 //! ```
 //!
-//! [`itself`] and [`own_faces`] are the searches of a surface that meets itself, [`outlook`] tells which of the sides of a
-//! sharp edge a slave node meets.
+//! [`itself`] and [`own_faces`] are the searches of a surface that meets itself, [`outlook`] tells which
+//! of the sides of a sharp edge a slave node meets.
 
 pub mod chain;
 pub mod faces;

@@ -14,12 +14,15 @@
 
 use super::faces::{self, FacePlace, FaceTree, keep, nearest_of, walk};
 use super::itself::{HERE, INSIDE_OF, SUNK};
-use crate::surface::mesh::{FaceMesh, PlacedFace, is_crease};
+use crate::surface::mesh::{FaceMesh, PlacedFace};
 use crate::vector::{Vector, add, cross, dot, scale, size, sub};
 use std::collections::VecDeque;
 
 /// Faces about a node that are remembered.
 const MOST: usize = 16;
+/// Cosine by which two faces must look at one another: faces at a right angle, as exactly as a deck
+/// gives them, do not [1].
+const LOOKS: f64 = 0.01;
 /// Sizes of the faces about a node, or of all faces on average, beyond which it meets nothing [1].
 const REACH: f64 = 8.0;
 
@@ -40,6 +43,26 @@ pub struct OwnFaces {
     thickness: Vec<f64>,
 }
 
+/// How the faces of a surface stand, face by face.
+#[derive(Debug, Clone, Default)]
+pub struct Standing {
+    /// Unit normals [1].
+    normals: Vec<Vector>,
+    /// The middles of their corners [L].
+    middles: Vec<Vector>,
+}
+
+impl Standing {
+    /// Takes how they stand with nodes at these positions [L].
+    pub fn take(&mut self, mesh: &FaceMesh, positions: &[Vector]) {
+        let faces = || 0..mesh.faces().len();
+        self.normals.clear();
+        self.normals.extend(faces().map(|face| mesh.normal(face, positions)));
+        self.middles.clear();
+        self.middles.extend(faces().map(|face| mesh.middle(face, positions)));
+    }
+}
+
 /// A surface of faces where it stands.
 #[derive(Clone, Copy)]
 pub struct PlacedOwn<'a> {
@@ -47,6 +70,8 @@ pub struct PlacedOwn<'a> {
     pub mesh: &'a FaceMesh,
     /// Positions of its nodes [L].
     pub positions: &'a [Vector],
+    /// How its faces stand at these.
+    pub standing: &'a Standing,
     /// A tree fitted to them.
     pub tree: &'a FaceTree,
 }
@@ -156,13 +181,13 @@ impl OwnFaces {
 
     fn place(
         &self,
-        PlacedOwn { mesh, positions, .. }: PlacedOwn<'_>,
+        PlacedOwn { mesh, positions, standing, .. }: PlacedOwn<'_>,
         (looking, met, extension, before): (&Looking, Met, f64, Option<usize>),
         room: &mut PlacedFace,
     ) -> Option<FacePlace> {
         let point = looking.point;
         let may_keep = |&face: &usize| {
-            self.stops(looking.node, face) && looking.looks_at(mesh.normal(face, positions))
+            self.stops(looking.node, face) && looking.looks_at(standing.normals[face])
         };
         let kept = before
             .filter(may_keep)
@@ -174,11 +199,11 @@ impl OwnFaces {
         walk((mesh, positions), (met.face, point, extension), stops, room)
     }
 
-    fn looking(&self, PlacedOwn { mesh, positions, .. }: PlacedOwn<'_>, node: usize) -> Looking {
+    fn looking(&self, placed: PlacedOwn<'_>, node: usize) -> Looking {
         let mut normals = [[0.0; 3]; MOST];
-        let own = self.at[node].iter().map(|&face| mesh.normal(face, positions));
+        let own = self.at[node].iter().map(|&face| placed.standing.normals[face]);
         let count = normals.iter_mut().zip(own).map(|(into, own)| *into = own).count();
-        Looking { node, point: positions[node], normals, count }
+        Looking { node, point: placed.positions[node], normals, count }
     }
 
     fn nearest(&self, placed: PlacedOwn<'_>, looking: &Looking) -> Option<Met> {
@@ -187,27 +212,25 @@ impl OwnFaces {
         found.map(|(face, square)| Met { face, distance: square.sqrt() })
     }
 
-    /// Square of the distance of a node from a face [L2]; infinite where it may not meet it.
+    /// Square of the distance of a node from a face [L2]; infinite where it may not meet it. What
+    /// costs least is asked first: most faces near a node are those of its own wall.
     fn distance(
         &self,
-        PlacedOwn { mesh, positions, .. }: PlacedOwn<'_>,
+        PlacedOwn { mesh, positions, standing, .. }: PlacedOwn<'_>,
         looking: &Looking,
         face: usize,
     ) -> f64 {
-        if !self.stops(looking.node, face) {
+        let normal = standing.normals[face];
+        if !looking.looks_at(normal) || !self.stops(looking.node, face) {
             return f64::INFINITY;
         }
-        let normal = mesh.normal(face, positions);
-        if !looking.looks_at(normal) {
+        let depth = dot(normal, sub(standing.middles[face], looking.point));
+        let most = SUNK * self.thickness[face];
+        if depth > 0.0 && (depth > most || self.is_inside(mesh, looking.node, face)) {
             return f64::INFINITY;
         }
         let (square, _) = nearest_of(mesh, positions, face, looking.point);
-        let height = dot(normal, sub(looking.point, mesh.middle(face, positions)));
-        let is_sunk = || {
-            square.sqrt() <= SUNK * self.thickness[face]
-                && !self.is_inside(mesh, looking.node, face)
-        };
-        if height >= 0.0 || is_sunk() { square } else { f64::INFINITY }
+        if depth > 0.0 && square > most * most { f64::INFINITY } else { square }
     }
 
     /// Whether a node and a face were back to back at the start, with their own part between them.
@@ -229,7 +252,7 @@ impl OwnFaces {
 impl Looking {
     /// Whether one of the faces about the node and a face with that normal look at one another.
     fn looks_at(&self, normal: Vector) -> bool {
-        self.normals[..self.count].iter().any(|own| dot(*own, normal) < 0.0)
+        self.normals[..self.count].iter().any(|own| dot(*own, normal) < -LOOKS)
     }
 }
 
@@ -268,10 +291,6 @@ fn depth_of(
     (from, way): (Vector, Vector),
 ) -> f64 {
     let own = &mesh.faces()[face];
-    let triangles: &[[usize; 3]] = match own.cell.faces.len() {
-        3 => &[[0, 1, 2]],
-        _ => &[[0, 1, 2], [0, 2, 3]],
-    };
     let depth = |triangle: &[usize; 3]| {
         let [a, b, c] = triangle.map(|corner| reference[own.nodes[corner]]);
         let (first, second, to) = (sub(b, a), sub(c, a), sub(from, a));
@@ -287,7 +306,7 @@ fn depth_of(
         let hits = depth > 0.0 && v >= -super::INSIDE && w >= -super::INSIDE;
         if hits && v + w <= 1.0 + super::INSIDE { depth } else { f64::INFINITY }
     };
-    triangles.iter().map(depth).fold(f64::INFINITY, f64::min)
+    own.triangles().iter().map(depth).fold(f64::INFINITY, f64::min)
 }
 
 /// Sharp edges that stand out come first, then what has smaller faces, in classes of twice the size,
@@ -299,16 +318,15 @@ fn ranks(
 ) -> Vec<usize> {
     let mut is_edge = vec![false; at.len()];
     for (face, own) in mesh.faces().iter().enumerate() {
-        let normal = mesh.normal(face, reference);
         let corners = own.cell.faces.len();
-        for edge in 0..corners {
-            let Some(other) = mesh.neighbour(face, edge) else { continue };
-            let aside = sub(mesh.middle(other, reference), mesh.middle(face, reference));
-            if is_crease(normal, mesh.normal(other, reference)) && dot(aside, normal) < 0.0 {
-                let ends = [edge, (edge + 1) % corners, corners + edge];
-                let nodes = ends.iter().filter_map(|&end| own.nodes.get(end));
-                nodes.for_each(|&node| is_edge[node] = true);
-            }
+        let stands_out = |edge: &usize| {
+            let other = mesh.neighbour(face, *edge);
+            other.is_some_and(|other| mesh.stands_out(face, other, reference))
+        };
+        for edge in (0..corners).filter(stands_out) {
+            let ends = [edge, (edge + 1) % corners, corners + edge];
+            let nodes = ends.iter().filter_map(|&end| own.nodes.get(end));
+            nodes.for_each(|&node| is_edge[node] = true);
         }
     }
     let longest = fineness.iter().copied().fold(0.0, f64::max);

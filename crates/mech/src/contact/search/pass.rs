@@ -30,11 +30,7 @@ pub fn cross_faces(
     }
     for face in faces {
         let own = &mesh.faces()[face];
-        let triangles: &[[usize; 3]] = match own.cell.faces.len() {
-            3 => &[[0, 1, 2]],
-            _ => &[[0, 1, 2], [0, 2, 3]],
-        };
-        for triangle in triangles {
+        for triangle in own.triangles() {
             let nodes = triangle.map(|k| own.nodes[k]);
             let ends = nodes.map(|node| (before[node], after[node]));
             cross_triangle(face, ends, (from, to), &mut each);

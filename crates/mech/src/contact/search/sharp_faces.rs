@@ -11,7 +11,7 @@
 
 use super::faces::{FacePlace, FaceTree, beyond, nearest_face, nearest_of, project};
 use super::outlook::{BEYOND, Outlook, SUNK};
-use crate::surface::mesh::{FaceMesh, PlacedFace, is_crease};
+use crate::surface::mesh::{FaceMesh, PlacedFace};
 use crate::vector::{Vector, dot, scale, size, sub};
 
 /// Faces of a side that are looked at.
@@ -56,17 +56,6 @@ impl About<'_> {
         self.outlook.is_everywhere() || self.outlook.meets(self.mesh.normal(face, self.positions))
     }
 
-    fn middle(&self, face: usize) -> Vector {
-        self.mesh.middle(face, self.positions)
-    }
-
-    /// Whether two neighbours meet at a sharp edge that stands out.
-    fn is_edge(&self, face: usize, other: usize) -> bool {
-        let normal = self.mesh.normal(face, self.positions);
-        is_crease(normal, self.mesh.normal(other, self.positions))
-            && dot(sub(self.middle(other), self.middle(face)), normal) < 0.0
-    }
-
     /// The nearest face that looks at the node beyond the sharp edges about the side of a face that
     /// does not: where the node has sunk in no deeper than half of that side.
     fn beyond_edges(&self, from: usize, room: &mut PlacedFace) -> Option<FacePlace> {
@@ -79,7 +68,7 @@ impl About<'_> {
             next += 1;
             for edge in 0..self.mesh.faces()[face].cell.faces.len() {
                 let Some(other) = self.mesh.neighbour(face, edge) else { continue };
-                let is_edge = self.is_edge(face, other);
+                let is_edge = self.mesh.stands_out(face, other, self.positions);
                 if is_edge && self.meets(other) {
                     let found = self.place_on(other, room);
                     let nearer = |found: &(f64, FacePlace)| best.is_none_or(|b| found.0 < b.0);
@@ -96,7 +85,8 @@ impl About<'_> {
 
     /// How deep a side reaches behind the plane of a face [L].
     fn extent(&self, side: &[usize], face: usize) -> f64 {
-        let (normal, middle) = (self.mesh.normal(face, self.positions), self.middle(face));
+        let (normal, middle) =
+            (self.mesh.normal(face, self.positions), self.mesh.middle(face, self.positions));
         let nodes = side.iter().flat_map(|&own| &self.mesh.faces()[own].nodes);
         let depths = nodes.map(|&node| dot(sub(middle, self.positions[node]), normal));
         depths.fold(0.0, f64::max)
@@ -111,7 +101,9 @@ impl About<'_> {
             let at = project(&patch, start, self.point)?;
             let (edge, outside) = beyond(patch.corners(), at);
             let next = self.mesh.neighbour(face, edge).filter(|_| outside > super::INSIDE);
-            if let Some(next) = next.filter(|&next| self.meets(next) && !self.is_edge(face, next)) {
+            if let Some(next) = next.filter(|&next| {
+                self.meets(next) && !self.mesh.stands_out(face, next, self.positions)
+            }) {
                 face = next;
                 continue;
             }

@@ -1,19 +1,40 @@
 use super::*;
 use crate::element::cell::QUAD4;
 use crate::surface::mesh::MeshFace;
+use std::collections::HashMap;
 
-/// The six faces of a box between two corners, outward, over nodes from `first`.
+/// Cells along every edge of a box: enough for faces that are no neighbours of a node.
+const CELLS: usize = 4;
+
+/// The skin of a box between two corners, outward, CELLS by CELLS faces a side.
 fn block([low, high]: [Vector; 2], faces: &mut Vec<MeshFace>, nodes: &mut Vec<Vector>) {
-    let first = nodes.len();
-    let pick = |k: usize, axis: usize| if k >> axis & 1 == 0 { low[axis] } else { high[axis] };
-    nodes.extend((0..8).map(|k| [pick(k, 0), pick(k, 1), pick(k, 2)]));
-    let outward =
-        [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-    faces.extend(
-        outward
-            .map(|own| MeshFace { cell: &QUAD4, nodes: own.iter().map(|k| first + k).collect() }),
-    );
+    let mut known: HashMap<[usize; 3], usize> = HashMap::new();
+    let mut node = |place: [usize; 3]| {
+        *known.entry(place).or_insert_with(|| {
+            let at = |k: usize| low[k] + (high[k] - low[k]) * place[k] as f64 / CELLS as f64;
+            nodes.push(std::array::from_fn(at));
+            nodes.len() - 1
+        })
+    };
+    for (axis, is_high) in (0..3).flat_map(|axis| [(axis, false), (axis, true)]) {
+        for (i, j) in (0..CELLS).flat_map(|i| (0..CELLS).map(move |j| (i, j))) {
+            let mut round = [[0, 0], [1, 0], [1, 1], [0, 1]];
+            if !is_high {
+                round.reverse();
+            }
+            let corner = |[a, b]: [usize; 2]| {
+                let mut place = [if is_high { CELLS } else { 0 }; 3];
+                (place[(axis + 1) % 3], place[(axis + 2) % 3]) = (i + a, j + b);
+                node(place)
+            };
+            faces.push(MeshFace { cell: &QUAD4, nodes: round.map(corner).to_vec() });
+        }
+    }
 }
+
+/// Faces of a box, and its nodes.
+const FACES: usize = 6 * CELLS * CELLS;
+const NODES: usize = (CELLS + 1).pow(3) - (CELLS - 1).pow(3);
 
 /// Two boxes, one above the other: the lower one 1 thick, the upper one 2, with a gap.
 fn two(gap: f64) -> (FaceMesh, Vec<Vector>, OwnFaces) {
@@ -27,7 +48,9 @@ fn two(gap: f64) -> (FaceMesh, Vec<Vector>, OwnFaces) {
 
 fn met(mesh: &FaceMesh, nodes: &[Vector], own: &OwnFaces, node: usize) -> Option<FacePlace> {
     let tree = faces::tree(mesh, nodes);
-    let placed = PlacedOwn { mesh, positions: nodes, tree: &tree };
+    let mut standing = Standing::default();
+    standing.take(mesh, nodes);
+    let placed = PlacedOwn { mesh, positions: nodes, standing: &standing, tree: &tree };
     let mut room = PlacedFace::EMPTY;
     own.met(placed, (node, 0.1), &mut room)
 }
@@ -35,42 +58,77 @@ fn met(mesh: &FaceMesh, nodes: &[Vector], own: &OwnFaces, node: usize) -> Option
 /// Requirement: what is behind a face is as deep as its part is thick, whatever else is there.
 #[test]
 fn a_part_is_as_deep_as_it_is_thick() {
-    let (.., own) = two(0.25);
-    for (face, depth) in [(0, 1.0), (1, 1.0), (2, 4.0), (5, 4.0), (6, 2.0), (7, 2.0), (10, 2.0)] {
+    let (mesh, nodes, own) = two(0.25);
+    for face in 0..2 * FACES {
+        let across = mesh.normal(face, &nodes)[2].abs() > 0.5;
+        let depth = match (face < FACES, across) {
+            (true, true) => 1.0,
+            (true, false) => 4.0,
+            (false, _) => 2.0,
+        };
         assert!((own.thickness[face] - depth).abs() < 1e-12, "{face}: {}", own.thickness[face]);
     }
 }
 
 /// Requirement: the lower corners of the upper box meet the top of the lower one, in front of it and
-/// sunk in by less than half of it; no node meets a face of its own box, however flat that is pressed.
+/// sunk in by less than half of it, not deeper; no node meets a face of its own box, however flat that
+/// is pressed.
 #[test]
 fn a_node_meets_what_it_looks_at_in_front_of_it() {
-    let (mesh, mut nodes, own) = two(0.25);
+    let (mesh, nodes, own) = two(0.25);
+    let bottom: Vec<usize> = (NODES..2 * NODES).filter(|&node| nodes[node][2] == 1.25).collect();
+    assert_eq!(bottom.len(), (CELLS + 1).pow(2));
+    let is_own = |node: usize, place: FacePlace| (place.face < FACES) == (node < NODES);
     for lift in [0.0, -0.25, -0.5] {
-        let moved: Vec<Vector> = nodes
-            .iter()
-            .enumerate()
-            .map(|(k, &at)| if k < 8 { at } else { add(at, [0.0, 0.0, lift]) })
-            .collect();
-        for node in 8..12 {
-            let place = met(&mesh, &moved, &own, node).unwrap();
-            assert_eq!(place.face, 1, "{lift}");
+        let shift = |(k, &at): (usize, &Vector)| match k < NODES {
+            true => at,
+            false => add(at, [0.0, 0.0, lift]),
+        };
+        let moved: Vec<Vector> = nodes.iter().enumerate().map(shift).collect();
+        for &node in &bottom {
+            let face = met(&mesh, &moved, &own, node).map(|place| place.face);
+            let is_top = |face: usize| face < FACES && mesh.normal(face, &nodes)[2] > 0.5;
+            assert!(face.is_some_and(is_top), "{lift} {node} {face:?}");
         }
-        for node in (0..8).chain(12..16) {
+        for node in 0..2 * NODES {
             let other = met(&mesh, &moved, &own, node);
-            assert!(other.is_none_or(|place| (place.face < 6) != (node < 8)), "{node}");
+            assert!(other.is_none_or(|place| !is_own(node, place)), "{node}");
         }
     }
     // too deep for what is still before the face
-    let sunk: Vec<Vector> =
-        nodes.iter().map(|&at| if at[2] > 1.1 { add(at, [0.0, 0.0, -1.0]) } else { at }).collect();
-    assert!((8..12).all(|node| met(&mesh, &sunk, &own, node).is_none_or(|place| place.face != 1)));
+    let deep = |(k, &at): (usize, &Vector)| if k < NODES { at } else { add(at, [0.0, 0.0, -1.0]) };
+    let sunk: Vec<Vector> = nodes.iter().enumerate().map(deep).collect();
+    let top = |place: FacePlace| place.face < FACES && mesh.normal(place.face, &nodes)[2] > 0.5;
+    assert!(bottom.iter().all(|&node| met(&mesh, &sunk, &own, node).is_none_or(|own| !top(own))));
     // the lower box pressed to a tenth of its thickness
-    for at in &mut nodes[..8] {
-        at[2] *= 0.1;
+    let press = |(k, &at): (usize, &Vector)| match k < NODES {
+        true => [at[0], at[1], 0.1 * at[2]],
+        false => at,
+    };
+    let flat: Vec<Vector> = nodes.iter().enumerate().map(press).collect();
+    for node in 0..NODES {
+        let found = met(&mesh, &flat, &own, node);
+        assert!(found.is_none_or(|place| !is_own(node, place)), "{node}");
     }
-    for node in 0..8 {
-        assert!(met(&mesh, &nodes, &own, node).is_none_or(|place| place.face >= 6), "{node}");
+}
+
+/// Requirement: faces at a right angle look at no one, however the box is turned: to rounding it is.
+#[test]
+fn faces_at_a_right_angle_do_not_meet() {
+    // so thin that the middle of it knows nothing of its sides
+    let (mut faces, mut nodes) = (Vec::new(), Vec::new());
+    block([[0.0, 0.0, 0.0], [40.0, 40.0, 1.0]], &mut faces, &mut nodes);
+    for turn in [0.0_f64, 0.3, 0.7, 1.1] {
+        let (s, c) = turn.sin_cos();
+        let turned = nodes.iter().map(|&[x, y, z]| {
+            let [x, y] = [c * x - s * y, s * x + c * y];
+            // as a deck with seven digits has it
+            [x, c * y - s * z, s * y + c * z].map(|x| (x * 1e6).round() / 1e6)
+        });
+        let turned: Vec<Vector> = turned.collect();
+        let mesh = FaceMesh::new(faces.clone(), &turned, false);
+        let own = OwnFaces::new(&mesh, &turned);
+        assert!((0..NODES).all(|node| met(&mesh, &turned, &own, node).is_none()), "{turn}");
     }
 }
 
@@ -78,7 +136,7 @@ fn a_node_meets_what_it_looks_at_in_front_of_it() {
 #[test]
 fn a_node_looks_no_farther_than_its_reach() {
     let (mesh, nodes, own) = two(200.0);
-    assert!((0..16).all(|node| met(&mesh, &nodes, &own, node).is_none()));
+    assert!((0..2 * NODES).all(|node| met(&mesh, &nodes, &own, node).is_none()));
 }
 
 /// Requirement: of two boxes whose corners meet each other's faces one alone carries the points.
@@ -90,19 +148,21 @@ fn one_of_two_that_meet_is_the_slave() {
     let mesh = FaceMesh::new(faces, &nodes, false);
     let own = OwnFaces::new(&mesh, &nodes);
     let tree = faces::tree(&mesh, &nodes);
-    let placed = PlacedOwn { mesh: &mesh, positions: &nodes, tree: &tree };
+    let mut standing = Standing::default();
+    standing.take(&mesh, &nodes);
+    let placed = PlacedOwn { mesh: &mesh, positions: &nodes, standing: &standing, tree: &tree };
     let mut room = PlacedFace::EMPTY;
-    let slaves: Vec<usize> = (0..16)
+    let slaves: Vec<usize> = (0..2 * NODES)
         .filter(|&node| own.closest(placed, (node, 0.1, None), &mut room).is_some())
         .collect();
     assert!(!slaves.is_empty());
-    assert!(slaves.iter().all(|&n| n < 8) || slaves.iter().all(|&n| n >= 8), "{slaves:?}");
+    let lower = slaves.iter().filter(|&&node| node < NODES).count();
+    assert!(lower == 0 || lower == slaves.len(), "{slaves:?}");
 }
 
 /// Requirement: both sides of one wall do not meet, however flat it is pressed.
 #[test]
 fn the_sides_of_a_wall_do_not_meet() {
-    const CELLS: usize = 4;
     let node = |side: usize, i: usize, j: usize| side * (CELLS + 1).pow(2) + j * (CELLS + 1) + i;
     let (mut faces, mut nodes) = (Vec::new(), Vec::new());
     for side in 0..2 {
@@ -121,5 +181,35 @@ fn the_sides_of_a_wall_do_not_meet() {
     for flat in [1.0, 0.45, 0.1] {
         let pressed: Vec<Vector> = nodes.iter().map(|&[x, y, z]| [x, y, flat * z]).collect();
         assert!((0..nodes.len()).all(|node| met(&mesh, &pressed, &own, node).is_none()), "{flat}");
+    }
+}
+
+/// Requirement: in a notch of 60 degrees what shares an edge or a corner with the faces of a node is no
+/// part that it meets, down to the bottom; farther up the flanks meet.
+#[test]
+fn neighbours_in_a_notch_do_not_meet() {
+    let rows = 2 * CELLS;
+    let node = |row: usize, i: usize| row * (CELLS + 1) + i;
+    let (mut faces, mut nodes) = (Vec::new(), Vec::new());
+    for row in 0..=rows {
+        let along = row as f64 - CELLS as f64;
+        for i in 0..=CELLS {
+            nodes.push([0.5 * along, i as f64, 0.75_f64.sqrt() * along.abs()]);
+            if row < rows && i < CELLS {
+                let round =
+                    [node(row, i), node(row + 1, i), node(row + 1, i + 1), node(row, i + 1)];
+                faces.push(MeshFace { cell: &QUAD4, nodes: round.to_vec() });
+            }
+        }
+    }
+    let mesh = FaceMesh::new(faces, &nodes, false);
+    let own = OwnFaces::new(&mesh, &nodes);
+    for i in 0..=CELLS {
+        assert_eq!(met(&mesh, &nodes, &own, node(CELLS, i)), None, "bottom {i}");
+        for (row, flank) in [(0, CELLS..rows), (rows, 0..CELLS)] {
+            let place = met(&mesh, &nodes, &own, node(row, i));
+            let other = |place: FacePlace| flank.contains(&(place.face / CELLS));
+            assert!(place.is_some_and(other), "{row} {i} {place:?}");
+        }
     }
 }
