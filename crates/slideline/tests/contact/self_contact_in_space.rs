@@ -1,10 +1,11 @@
 //! Contact of a surface of faces in space with itself: two leaves whose inner faces are one surface,
-//! against the same leaves as a pair; a block whose skin meets itself nowhere.
+//! against the same leaves as a pair; a tube of one layer of bricks against the same in plane strain; a
+//! block whose skin meets itself nowhere.
 //!
 //! ```text
-//!   |=========|  upper leaf      | push on its tip
-//!   |  gap     .------------------
-//!   |=========|  lower leaf
+//!   |=========|  upper leaf | push on its tip        .-----.  pinched until
+//!   |  gap     .-------------                       (       ) its hollow
+//!   |=========|  lower leaf                          '-----'  meets itself
 //! ```
 
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
@@ -18,6 +19,8 @@ use std::ops::ControlFlow;
 /// What a run left at its end and over it.
 #[derive(Default)]
 struct Course {
+    /// Total times of the increments.
+    at: Vec<f64>,
     /// Sum of the forces on the pushed nodes, by direction.
     forces: Vec<[f64; 3]>,
     closed: usize,
@@ -48,6 +51,7 @@ impl Course {
                 *sum += frame.nodal.reaction(node, dof);
             }
         }
+        self.at.push(frame.total_time);
         self.forces.push(sum);
         let pressed = frame.contact.iter().filter(|row| row.pressure > 0.0);
         self.closed = pressed.clone().count();
@@ -149,7 +153,10 @@ fn leaves(upper: [usize; 3], surfaces: &str, (turn, friction): (f64, f64)) -> Co
 
 fn run(deck: &str, mut course: Course) -> Course {
     let read = Job::read_text("itself", deck, &ReadOptions::default());
-    let model = read.model.unwrap_or_else(|| panic!("{:#?}", read.diagnostics));
+    let mut model = read.model.unwrap_or_else(|| panic!("{:#?}", read.diagnostics));
+    for step in &mut model.steps {
+        step.controls.field.r_n = 1e-11;
+    }
     let ending = slideline::solve(&model, &SolveOptions::default(), &mut course);
     assert!(matches!(ending, Ending::Completed(_)), "{ending:?}");
     course
@@ -183,15 +190,98 @@ fn two_leaves_as_one_surface_are_their_pair() {
         let own = leaves([12, 5, 1], ITSELF, (turn, friction));
         let pair = leaves([12, 5, 1], UPPER_SLAVE, (turn, friction));
         assert!(own.closed > 0 && own.closed == pair.closed);
-        assert!(apart(&own, &pair) < 1e-5, "{turn}: {:e}", apart(&own, &pair));
+        assert!(apart(&own, &pair) < 1e-9, "{turn}: {:e}", apart(&own, &pair));
         assert!(own.cutbacks == 0 && own.iterations <= 4 * own.forces.len());
         assert!(own.imbalance < 1e-9 && own.deepest < 1e-8, "{} {}", own.imbalance, own.deepest);
         let own = leaves([5, 2, 1], ITSELF, (turn, friction));
         let pairs =
             [UPPER_SLAVE, LOWER_SLAVE].map(|text| leaves([5, 2, 1], text, (turn, friction)));
         let least = pairs.iter().map(|pair| apart(&own, pair)).fold(f64::INFINITY, f64::min);
-        assert!(least < 1e-5 && own.closed > 0, "{turn}: {least:e}");
+        assert!(least < 1e-9 && own.closed > 0, "{turn}: {least:e}");
     }
+}
+
+/// A tube of wall 8.5 to 10 with so many elements in its upper and lower half, held below and pushed
+/// flat from above; of CPE4, or of one layer of C3D8 that keeps its thickness.
+fn tube([upper, lower, layers]: [usize; 3], in_space: bool) -> Course {
+    let columns = upper + lower;
+    let node = |column: usize, layer: usize, side: usize| {
+        1 + column % columns + 1000 * (layer + 10 * side)
+    };
+    let sides = if in_space { 0..2 } else { 0..1 };
+    let mut deck = String::from("*HEADING\na pinched tube\n*NODE, NSET=ALL\n");
+    for side in sides.clone() {
+        for (layer, column) in (0..=layers).flat_map(|l| (0..columns).map(move |c| (l, c))) {
+            let radius = 8.5 + 1.5 * layer as f64 / layers as f64;
+            let angle = match column.checked_sub(upper) {
+                None => column as f64 / upper as f64,
+                Some(below) => 1.0 + below as f64 / lower as f64,
+            };
+            let (s, c) = (std::f64::consts::PI * angle).sin_cos();
+            let (x, y, z) = (radius * c, radius * s, 0.7 * side as f64);
+            let _ = writeln!(deck, "{}, {x:?}, {y:?}, {z:?}", node(column, layer, side));
+        }
+    }
+    let kind = if in_space { "C3D8" } else { "CPE4" };
+    let _ = writeln!(deck, "*ELEMENT, TYPE={kind}, ELSET=TUBE");
+    for (layer, column) in (0..layers).flat_map(|l| (0..columns).map(move |c| (l, c))) {
+        let round = [[0, 0], [0, 1], [1, 1], [1, 0]];
+        let corners = sides
+            .clone()
+            .flat_map(|side| round.map(|[i, j]| node(column + i, layer + j, side).to_string()));
+        let corners: Vec<_> = corners.collect();
+        let _ = writeln!(deck, "{}, {}", 1 + column + 1000 * layer, corners.join(", "));
+    }
+    let mut course = Course::default();
+    for (name, middle) in [("TOP", upper / 2), ("FOOT", upper + lower / 2)] {
+        let _ = writeln!(deck, "*NSET, NSET={name}");
+        for (side, column) in
+            sides.clone().flat_map(|s| (middle - 3..=middle + 3).map(move |c| (s, c)))
+        {
+            let _ = writeln!(deck, "{}", node(column, layers, side));
+            if name == "TOP" {
+                course.pushed.push(node(column, layers, side) as u64);
+            }
+        }
+    }
+    let (face, thickness) = if in_space { ("S6", "") } else { ("S4", "0.7\n") };
+    let held = if in_space { "ALL, 3, 3\n" } else { "" };
+    let _ = write!(
+        deck,
+        "*ELSET, ELSET=IN, GENERATE\n1, {columns}
+*MATERIAL, NAME=RUBBER\n*HYPERELASTIC, NEO HOOKE\n0.5, 0.02
+*SOLID SECTION, ELSET=TUBE, MATERIAL=RUBBER\n{thickness}*SURFACE, NAME=HOLLOW\nIN, {face}
+*SURFACE INTERACTION, NAME=I\n{thickness}*FRICTION\n0.1
+*CONTACT PAIR, INTERACTION=I, TYPE=NODE TO SURFACE\nHOLLOW
+*STEP, NLGEOM, INC=200\n*STATIC\n0.02, 1.0, 1.0E-6, 0.02
+*BOUNDARY\nFOOT, 1, 2\nTOP, 1, 1\nTOP, 2, 2, -17.4\n{held}*END STEP\n"
+    );
+    run(&deck, course)
+}
+
+/// Requirement: a tube of bricks whose hollow meets itself carries what the same carries in plane strain,
+/// where another search decides; what differs are the roles, and the difference falls with the mesh: with
+/// 40 elements in a half it is at most .2 % of the largest force in the mean, with 80 at most .03 %, and
+/// 1 % anywhere. Nothing sinks in, forces and moments cancel.
+#[test]
+fn a_tube_of_bricks_is_its_plane() {
+    let mut means = Vec::new();
+    for cells in [[40, 44, 3], [80, 88, 6]] {
+        let (space, plane) = (tube(cells, true), tube(cells, false));
+        let peak = plane.forces.iter().fold(0.0_f64, |most, force| most.max(force[1].abs()));
+        let differences = space.at.iter().zip(&space.forces).filter_map(|(time, force)| {
+            let same = plane.at.iter().position(|own| (own - time).abs() < 1e-9)?;
+            Some((force[1] - plane.forces[same][1]).abs() / peak)
+        });
+        let differences: Vec<f64> = differences.collect();
+        assert!(differences.len() > 45 && space.closed > 0);
+        assert!(space.imbalance < 1e-9 && space.deepest < 1e-8);
+        means.push(differences.iter().sum::<f64>() / differences.len() as f64);
+        if cells[0] == 80 {
+            assert!(differences.iter().all(|own| *own < 0.01), "{differences:?}");
+        }
+    }
+    assert!(means[0] < 2e-3 && means[1] < 3e-4, "{means:?}");
 }
 
 /// Requirement: a block whose whole skin meets itself, pressed to two fifths of its height and sheared,

@@ -4,7 +4,7 @@
 //!       .--<--.          runs: stretches of neighbouring faces, open or closed; the outside is
 //!      /       \         on the left of travel
 //!     |    a    |
-//!     |    |    |        a node meets a face that looks at it (n_a . n_s < 0), is none of its
+//!     |    |    |        a node meets a face that looks at it (n_a . n_s < -.01), is none of its
 //!      \   v   /         neighbours, and stands in front of it, or no deeper behind it than half
 //!       '--s--'          the part is thick
 //! ```
@@ -16,6 +16,9 @@ use super::chain::{Candidate, Chain, ChainTree, Piece, PieceKind, better, flat, 
 use super::tree::{Bounds, BoxTree};
 use super::{Point, cross, dot, sub};
 
+/// Cosine by which two faces must look at one another: faces at a right angle, as exactly as a deck
+/// gives them, do not [1].
+pub(super) const LOOKS: f64 = 0.01;
 /// Part of the thickness that a node may have sunk in [1].
 pub(super) const SUNK: f64 = 0.5;
 /// What was back to back at the start within this many thicknesses is a part's own inside [1].
@@ -279,7 +282,10 @@ impl Itself {
     ) -> bool {
         let part = found.piece.index;
         let Some((foot, tangent)) = at_piece(chain, positions, &found.piece) else { return false };
-        let faces = |side: usize| dot(along(positions, side), tangent) < 0.0;
+        let faces = |side: usize| {
+            let own = along(positions, side);
+            dot(own, tangent) < -LOOKS * size(own) * size(tangent)
+        };
         if !self.beside(seat).any(faces) {
             return false;
         }

@@ -13,16 +13,13 @@
 //! few faces about it. docs/theory.md section 5.12. (derived)
 
 use super::faces::{self, FacePlace, FaceTree, keep, nearest_of, walk};
-use super::itself::{HERE, INSIDE_OF, SUNK};
+use super::itself::{HERE, INSIDE_OF, LOOKS, SUNK};
 use crate::surface::mesh::{FaceMesh, PlacedFace};
 use crate::vector::{Vector, add, cross, dot, scale, size, sub};
 use std::collections::VecDeque;
 
 /// Faces about a node that are remembered.
 const MOST: usize = 16;
-/// Cosine by which two faces must look at one another: faces at a right angle, as exactly as a deck
-/// gives them, do not [1].
-const LOOKS: f64 = 0.01;
 /// Sizes of the faces about a node, or of all faces on average, beyond which it meets nothing [1].
 const REACH: f64 = 8.0;
 

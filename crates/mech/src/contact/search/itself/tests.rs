@@ -13,12 +13,17 @@ struct Surface {
 
 impl Surface {
     fn new(runs: &[(&[Plane], bool)]) -> Self {
+        Self::smoothed(runs, 0.2)
+    }
+
+    /// The same with a part of each face for the corners.
+    fn smoothed(runs: &[(&[Plane], bool)], smoothing: f64) -> Self {
         let nodes: Vec<Plane> = runs.iter().flat_map(|(nodes, _)| nodes.to_vec()).collect();
         let runs: Vec<Run> =
             runs.iter().map(|&(nodes, is_closed)| Run { nodes: nodes.len(), is_closed }).collect();
         let list = listed(&runs);
         let reference: Vec<_> = list.iter().map(|&k| raised(nodes[k])).collect();
-        let (own, chain) = Itself::new(&runs, &reference, (0.2, 0.1)).unwrap();
+        let (own, chain) = Itself::new(&runs, &reference, (smoothing, 0.1)).unwrap();
         Self { own, chain, list, runs }
     }
 
@@ -145,4 +150,27 @@ fn what_is_no_surface_is_refused() {
     assert!(!make(Run { nodes: 2, is_closed: true }, &line));
     assert!(!make(Run { nodes: 3, is_closed: false }, &[[0.0, 0.0], [0.0, 0.0], [1.0, 0.0]]));
     assert!(Itself::new(&[], &[], (0.2, 0.1)).is_none());
+}
+
+/// Requirement: faces at a right angle do not look at one another, however the strip is turned and as
+/// exactly as a deck gives its nodes: the nodes of a long thin strip meet nothing, its ends least of all.
+#[test]
+fn faces_at_a_right_angle_do_not_meet() {
+    let mut nodes: Vec<Plane> = (0..20).map(|k| [2.0 * f64::from(k), 1.0]).collect();
+    nodes.extend((1..=20).rev().map(|k| [2.0 * f64::from(k), 0.0]));
+    nodes.insert(20, [40.0, 1.0]);
+    nodes.push([0.0, 0.0]);
+    for turn in [0.0_f64, 0.3, 0.7, 1.1, 2.0] {
+        let (s, c) = turn.sin_cos();
+        let turned: Vec<Plane> = nodes
+            .iter()
+            .map(|&[x, y]| [c * x - s * y, s * x + c * y].map(|x| (x * 1e6).round() / 1e6))
+            .collect();
+        for smoothing in [0.2, 0.0] {
+            let strip = Surface::smoothed(&[(&turned, true)], smoothing);
+            for node in 0..strip.count() {
+                assert_eq!(strip.met(&turned, node), None, "{turn} {smoothing} {node}");
+            }
+        }
+    }
 }
