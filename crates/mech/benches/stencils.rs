@@ -1,5 +1,5 @@
 //! Cost of one stencil: beams by hand and from their energy, a gap against a corner and a circle,
-//! force and tangent of solids at large displacement.
+//! force and tangent of solids at large displacement; and of a search, the skin of a slab against itself.
 #![allow(missing_docs, clippy::unwrap_used)] // generated entry points; fixed sound data
 
 use std::hint::black_box;
@@ -8,6 +8,8 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use slideline_mech::contact::gap::circle::{Circle, Side};
 use slideline_mech::contact::gap::curve::{Along, Weights, point_to_curve};
 use slideline_mech::contact::gap::{Gap, Quadratic};
+use slideline_mech::contact::search::faces::tree;
+use slideline_mech::contact::search::own_faces::{OwnFaces, PlacedOwn, Standing};
 use slideline_mech::differentiate::Second;
 use slideline_mech::element::cell::{Cell, HEX8, HEX20, QUAD4, QUAD8, TET10};
 use slideline_mech::element::quadrature::{HEX_8, HEX_27, QUAD_4, QUAD_9, Quadrature, TET_4};
@@ -17,6 +19,7 @@ use slideline_mech::element::solid::{
 use slideline_mech::element::{Beam21, Beam22, Beam23, Kernel, Response, Strains};
 use slideline_mech::material::{Elastic, LargeStrain, Material, Plastic};
 use slideline_mech::section::BeamStiffness;
+use slideline_mech::surface::mesh::{FaceMesh, MeshFace, PlacedFace};
 
 fn beam(criterion: &mut Criterion) {
     let stiffness =
@@ -68,6 +71,39 @@ fn gaps(criterion: &mut Criterion) {
 }
 
 /// One element on its reference cell, bent and stretched a little.
+/// What the nodes of a slab meet whose whole skin meets itself: nothing, which has to be found out.
+fn skin(criterion: &mut Criterion) {
+    const CELLS: usize = 60;
+    let node = |side: usize, i: usize, j: usize| side * (CELLS + 1).pow(2) + j * (CELLS + 1) + i;
+    let (mut faces, mut nodes) = (Vec::new(), Vec::new());
+    for side in 0..2 {
+        for (j, i) in (0..=CELLS).flat_map(|j| (0..=CELLS).map(move |i| (j, i))) {
+            nodes.push([i as f64, j as f64, 6.0 * side as f64]);
+            if i < CELLS && j < CELLS {
+                let mut round = [[0, 0], [1, 0], [1, 1], [0, 1]];
+                if side == 0 {
+                    round.reverse();
+                }
+                let nodes = round.map(|[a, b]| node(side, i + a, j + b)).to_vec();
+                faces.push(MeshFace { cell: &QUAD4, nodes });
+            }
+        }
+    }
+    let mesh = FaceMesh::new(faces, &nodes, true);
+    let own = OwnFaces::new(&mesh, &nodes);
+    let (tree, mut standing, mut room) =
+        (tree(&mesh, &nodes), Standing::default(), PlacedFace::EMPTY);
+    criterion.bench_function("7200 faces against themselves", |bench| {
+        bench.iter(|| {
+            standing.take(&mesh, black_box(&nodes));
+            let placed =
+                PlacedOwn { mesh: &mesh, positions: &nodes, standing: &standing, tree: &tree };
+            let met = |node: &usize| own.closest(placed, (*node, 0.1, None), &mut room).is_some();
+            (0..nodes.len()).filter(met).count()
+        });
+    });
+}
+
 fn solid<const D: usize, const N: usize, const P: usize>(
     criterion: &mut Criterion,
     (name, cell, rule): (&str, &'static Cell, &'static Quadrature),
@@ -123,5 +159,5 @@ fn solids(criterion: &mut Criterion) {
     solid::<3, 20, 27>(criterion, ("C3D20", &HEX20, &HEX_27), Plain, hencky());
 }
 
-criterion_group!(benches, beam, finer_beams, gaps, solids);
+criterion_group!(benches, beam, finer_beams, gaps, skin, solids);
 criterion_main!(benches);

@@ -32,16 +32,13 @@ mod request;
 mod section_print;
 mod stabilisation;
 mod step;
+mod surface;
 mod tested;
 mod transform;
 mod vocabulary;
 
 pub use amplitude::{Amplitude, Curve};
-pub use contact::{
-    Adjust, ContactElement, ContactFace, ContactPair, Formulation, Interaction, Lumping, Master,
-    MasterFaces, Offset, OwnSurface, ProfilePoint, RigidSurface, SlideLine, SurfaceRun,
-    SurfaceSegment, Sweep, SweptSurface,
-};
+pub use contact::{Adjust, ContactElement, ContactPair, Formulation, Interaction, Lumping, Offset};
 pub use controls::{Controls, FieldControls, TimeIncrementation};
 pub use dialect::Dialect;
 pub use driven::Driven;
@@ -79,6 +76,10 @@ pub use stabilisation::Stabilisation;
 pub use step::{
     Allowed, ChangedFriction, ChangedPressure, ChangedSection, Extrapolation, Interference,
     NodalTemperature, Passage, Prescribed, Static, Step,
+};
+pub use surface::{
+    ContactFace, Master, MasterFaces, OwnSurface, ProfilePoint, RigidSurface, SlideLine,
+    SurfaceRun, SurfaceSegment, Sweep, SweptSurface,
 };
 pub use tested::Tested;
 pub use transform::Transform;

@@ -17,7 +17,7 @@
 mod edge;
 mod temperatures;
 
-use crate::contact::{ContactElement, Master};
+use crate::contact::ContactElement;
 use crate::element::block::{Element, Elements};
 use crate::element::section::Section;
 use crate::initial_stress::{InitialHardening, InitialStress};
@@ -25,6 +25,7 @@ use crate::model::Model;
 use crate::node::{Dof, Node, NodeIndex, RigidLink};
 use crate::presence::{ElementIndex, Presence};
 use crate::step::{Prescribed, Step};
+use crate::surface::Master;
 use edge::{Edge, edge, refusal, unknown_cell};
 use slideline_diag::{Diagnostic, Span};
 use slideline_mech::element::cell::QUAD4;

@@ -2,9 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
+use super::exactly;
 use slideline::model::Dof;
-use slideline::observe::Ending;
-use slideline::{Event, Job, Observer, ReadOptions, SolveOptions, Stop, solve};
+use slideline::{Event, Observer, Stop};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
@@ -24,16 +24,7 @@ impl Observer for Motions {
 }
 
 fn motions(deck: &str) -> BTreeMap<u64, [f64; 2]> {
-    let read = Job::read_text("axes", deck, &ReadOptions::default());
-    let mut model = read.model.unwrap_or_else(|| panic!("{deck}\n{:#?}", read.diagnostics));
-    for step in &mut model.steps {
-        step.controls.field.r_n = 1e-11;
-    }
-    let mut found = Motions::default();
-    match solve(&model, &SolveOptions::default(), &mut found) {
-        Ending::Completed(_) => found.0,
-        other => panic!("{deck}\n{other:?}"),
-    }
+    exactly::solved::<Motions>(deck).0.0
 }
 
 /// Plies of 1 by 1 that stand apart, under the tension 2 along x; the section follows. Nodes of the ply

@@ -3,9 +3,9 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
+use super::exactly;
 use slideline::model::Dof;
-use slideline::observe::Ending;
-use slideline::{Event, Job, Observer, ReadOptions, SolveOptions, Stop, solve};
+use slideline::{Event, Job, Observer, ReadOptions, Stop};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::ops::ControlFlow;
@@ -27,16 +27,7 @@ impl Observer for Motions {
 }
 
 fn motions(deck: &str) -> BTreeMap<String, [f64; 3]> {
-    let read = Job::read_text("normals", deck, &ReadOptions::default());
-    let mut model = read.model.unwrap_or_else(|| panic!("{deck}\n{:#?}", read.diagnostics));
-    for step in &mut model.steps {
-        step.controls.field.r_n = 1e-11;
-    }
-    let mut found = Motions::default();
-    match solve(&model, &SolveOptions::default(), &mut found) {
-        Ending::Completed(_) => found.0,
-        other => panic!("{deck}\n{other:?}"),
-    }
+    exactly::solved::<Motions>(deck).0.0
 }
 
 fn errors(deck: &str) -> Vec<String> {

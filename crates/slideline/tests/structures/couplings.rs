@@ -2,9 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
+use super::exactly;
 use slideline::model::Dof;
-use slideline::observe::Ending;
-use slideline::{Event, Job, Observer, ReadOptions, SolveOptions, Stop, solve};
+use slideline::{Event, Observer, Stop};
 use std::collections::HashMap;
 use std::ops::ControlFlow;
 
@@ -58,15 +58,7 @@ fn run(constraint: &str, step: &str, history: &str) -> End {
          *ELASTIC\n1000., 0.\n*SURFACE, NAME=TIPS, TYPE=NODE\n3\n13\n{constraint}*STEP{step}\n\
          *STATIC\n1., 1.\n*BOUNDARY\n1, 1, 6\n11, 1, 6\n{history}*END STEP\n"
     );
-    let read = Job::read_text("couplings", &deck, &ReadOptions::default());
-    let mut model = read.model.unwrap_or_else(|| panic!("{deck}\n{:#?}", read.diagnostics));
-    for step in &mut model.steps {
-        step.controls.field.r_n = 1e-11;
-    }
-    let mut end = End::default();
-    let ending = solve(&model, &SolveOptions::default(), &mut end);
-    assert!(matches!(ending, Ending::Completed(_)), "{deck}\n{ending:?}");
-    end
+    exactly::solved::<End>(&deck).0
 }
 
 /// Requirement: tips with equal deflections share a force, P L^3/(3 EI)/2; with u_3 = -2 u_13 the

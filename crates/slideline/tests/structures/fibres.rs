@@ -4,9 +4,10 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
+use super::exactly;
 use slideline::model::Dof;
-use slideline::observe::{Ending, Totals};
-use slideline::{Event, Job, Observer, ReadOptions, SolveOptions, Stop, solve};
+use slideline::observe::Totals;
+use slideline::{Event, Job, Observer, ReadOptions, Stop};
 use std::ops::ControlFlow;
 
 const AXES: [Dof; 3] = [Dof::U1, Dof::U2, Dof::U3];
@@ -45,17 +46,8 @@ fn deck(kind: &str, orientation: &str, families: usize, step: &str, held: &str) 
 }
 
 fn solved(deck: &str) -> End {
-    let read = Job::read_text("fibres", deck, &ReadOptions::default());
-    let mut model = read.model.unwrap_or_else(|| panic!("{deck}\n{:#?}", read.diagnostics));
-    for step in &mut model.steps {
-        step.controls.field.r_n = 1e-11;
-    }
-    let mut end = End::default();
-    match solve(&model, &SolveOptions::default(), &mut end) {
-        Ending::Completed(totals) => end.totals = Some(totals),
-        other => panic!("{deck}\n{other:?}"),
-    }
-    end
+    let (end, totals) = exactly::solved::<End>(deck);
+    End { totals: Some(totals), ..end }
 }
 
 fn pull(end: &End) -> f64 {

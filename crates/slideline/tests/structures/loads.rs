@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
+use super::exactly;
 use slideline::model::Dof;
 use slideline::observe::{Ending, Totals};
 use slideline::{Event, Job, Observer, ReadOptions, SolveOptions, Stop, solve};
@@ -82,17 +83,8 @@ fn run_with(cards: &str, step: &str, history: &str) -> End {
 }
 
 fn solved(deck: &str) -> End {
-    let read = Job::read_text("loads", deck, &ReadOptions::default());
-    let mut model = read.model.unwrap_or_else(|| panic!("{deck}\n{:#?}", read.diagnostics));
-    for step in &mut model.steps {
-        step.controls.field.r_n = 1e-11;
-    }
-    let mut end = End::default();
-    match solve(&model, &SolveOptions::default(), &mut end) {
-        Ending::Completed(totals) => end.totals = Some(totals),
-        other => panic!("{deck}\n{other:?}"),
-    }
-    end
+    let (end, totals) = exactly::solved::<End>(deck);
+    End { totals: Some(totals), ..end }
 }
 
 /// Requirement: a uniform pressure q on the right side, nu' = nu/(1 - nu), E' = E/(1 - nu^2): u1 =

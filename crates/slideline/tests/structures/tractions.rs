@@ -4,9 +4,10 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
+use super::exactly;
 use slideline::model::Dof;
-use slideline::observe::{Ending, Totals};
-use slideline::{Event, Job, Observer, ReadOptions, SolveOptions, Stop, solve};
+use slideline::observe::Totals;
+use slideline::{Event, Observer, Stop};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
@@ -58,17 +59,8 @@ impl End {
 }
 
 fn solved(deck: &str) -> End {
-    let read = Job::read_text("tractions", deck, &ReadOptions::default());
-    let mut model = read.model.unwrap_or_else(|| panic!("{deck}\n{:#?}", read.diagnostics));
-    for step in &mut model.steps {
-        step.controls.field.r_n = 1e-11;
-    }
-    let mut end = End::default();
-    match solve(&model, &SolveOptions::default(), &mut end) {
-        Ending::Completed(totals) => end.totals = Some(totals),
-        other => panic!("{deck}\n{other:?}"),
-    }
-    end
+    let (end, totals) = exactly::solved::<End>(deck);
+    End { totals: Some(totals), ..end }
 }
 
 /// A bar of 3 by 1 by 1 along x in three bricks, E = 1000, nu = 0.3; nodes 1 to 4 at x = 0, 13 to 16 at

@@ -1,6 +1,7 @@
 //! The laws of a pair, with the lengths of its mesh filled in.
 
-use super::master::{MasterSurface, placed};
+use super::master::MasterSurface;
+use super::profiles::placed;
 use crate::users::UserFrictions;
 use slideline_mech::contact::friction::{Decay, Ellipse, FrictionLaw, Stick};
 use slideline_mech::contact::normal::NormalLaw;

@@ -2,6 +2,7 @@
 
 use super::facing::Facing;
 use super::positions::MasterPositions;
+use super::profiles::{placed, swept_profile};
 use super::stencil::Stencil;
 use crate::dofs::{DofMap, Translations, rigid_dofs};
 use slideline_mech::contact::gap::Order;
@@ -12,15 +13,10 @@ use slideline_mech::contact::search::chain::{Chain, Piece};
 use slideline_mech::contact::search::itself::{Itself, Placed, Run, listed};
 use slideline_mech::contact::search::outlook::Outlook;
 use slideline_mech::contact::search::own_faces::OwnFaces;
-use slideline_mech::contact::search::rigid::RigidSegment;
 use slideline_mech::contact::search::sharp;
 use slideline_mech::rigid::{Attachment, PointMap};
 use slideline_mech::surface::mesh::{FaceMesh, MeshFace};
-use slideline_mech::surface::swept::Swept;
-use slideline_model::{
-    MasterFaces, Model, NodeIndex, OwnSurface, ProfilePoint, SlideLine, SurfaceRun, SurfaceSegment,
-    SweptSurface,
-};
+use slideline_model::{MasterFaces, Model, NodeIndex, OwnSurface, SlideLine, SurfaceRun};
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -381,46 +377,5 @@ fn bounds_of(places: impl Iterator<Item = [f64; 3]>) -> [[f64; 3]; 2] {
     places.fold(nothing, |[low, high], at| {
         let join = |k: usize| (low[k].min(at[k]), high[k].max(at[k]));
         [std::array::from_fn(|k| join(k).0), std::array::from_fn(|k| join(k).1)]
-    })
-}
-
-/// A model's rigid surface with its arc coordinates, undeformed. `None`: an
-/// arc without end or with ends at different distances of its centre.
-pub fn placed(surface: &slideline_model::RigidSurface) -> Option<RigidSurface> {
-    let mut segments = Vec::with_capacity(surface.segments.len());
-    for segment in placed_segments(surface) {
-        segments.push(segment?);
-    }
-    Some(RigidSurface::new(segments))
-}
-
-/// The profile of an analytical surface in space; `None` as of [`placed`].
-pub(super) fn swept_profile(surface: &SweptSurface) -> Option<Swept> {
-    let segments: Option<Vec<_>> = in_place(surface.start, &surface.segments).collect();
-    Some(Swept { segments: segments?, sweep: surface.sweep, length: surface.length })
-}
-
-/// Its segments one after the other; `None` in place of an impossible arc.
-pub(super) fn placed_segments(
-    surface: &slideline_model::RigidSurface,
-) -> impl Iterator<Item = Option<RigidSegment>> {
-    in_place(surface.start, &surface.segments)
-}
-
-fn in_place(
-    start: ProfilePoint,
-    segments: &[SurfaceSegment],
-) -> impl Iterator<Item = Option<RigidSegment>> {
-    let mut from = start;
-    segments.iter().map(move |segment| {
-        let placed = match *segment {
-            SurfaceSegment::Line { end } => RigidSegment::Line { a: from, b: end },
-            SurfaceSegment::Circle { end, centre } => RigidSegment::arc(from, end, centre)?,
-            SurfaceSegment::Parabola { middle, end } => {
-                RigidSegment::Parabola { start: from, mid: middle, end }
-            }
-        };
-        from = placed.end();
-        Some(placed)
     })
 }

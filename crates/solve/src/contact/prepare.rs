@@ -1,10 +1,11 @@
 //! The pairs of a model prepared: which points there are, which dofs they follow, which masters.
 
 use super::laws::{self, mean_length, state_size};
-use super::master::{MasterSurface, placed};
+use super::master::MasterSurface;
 use super::mortar::slave::Mortar;
 use super::mortar_faces::slave::FaceMortar;
 use super::pairs::{Carrier, Contact, SlavePoint};
+use super::profiles::placed;
 use super::segment::{CELLS, SEGMENT_POINTS, STRETCHES, SlaveSegment};
 use super::shear::{Shear, sheared_beams};
 use super::stencil::{NO_TURN, SectionTurn};

@@ -8,8 +8,9 @@
 //! Which points there are, and which dofs they follow, stays.
 
 use super::laws;
-use super::master::{MasterSurface, listed_nodes, own_parts, placed_segments, swept_profile};
+use super::master::{MasterSurface, listed_nodes, own_parts};
 use super::pairs::{Carrier, Contact, SlavePoint};
+use super::profiles::{placed_segments, swept_profile};
 use super::segment::{Along, NEAR, SEGMENT_POINTS, STRETCHES, SlaveSegment};
 use crate::dofs::DofMap;
 use crate::users::UserFrictions;
