@@ -4,7 +4,8 @@
 
 use super::exactly;
 use slideline::model::Dof;
-use slideline::{Event, Observer, Stop};
+use slideline::observe::Ending;
+use slideline::{Event, Job, Observer, ReadOptions, SolveOptions, Stop, solve};
 use std::collections::HashMap;
 use std::ops::ControlFlow;
 
