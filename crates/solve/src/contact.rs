@@ -11,6 +11,7 @@
 
 mod before;
 mod behind;
+mod between;
 mod candidates;
 mod cliques;
 mod crossing;
