@@ -31,6 +31,7 @@ pub struct Traction {
 }
 
 /// A point of a face with its undeformed axes: two along the face, the outward normal.
+#[derive(Clone, Debug)]
 struct Point {
     axes: [[f64; 3]; 3],
     /// Undeformed area of the point [L2].
@@ -79,15 +80,33 @@ impl Traction {
         self.follows
     }
 
-    /// Forces of a traction of this size [F/L2] on the nodes, which were at `rest` and are at `x`
-    /// [L]: adds to `force`, three for each node [F].
-    pub fn pull(&self, traction: f64, [rest, x]: [&[[f64; 3]]; 2], force: &mut [[f64; 3]]) {
-        for (at, &direction) in self.face.points().zip(&self.directions) {
+    /// The same where its nodes were at `rest` [L].
+    pub fn at_rest(&self, rest: &[[f64; 3]]) -> Placed {
+        let points = self.face.points().zip(&self.directions);
+        let placed = points.map(|(at, &direction)| {
             let point = Point::new(&self.face, &at, rest);
-            if point.area == 0.0 {
-                continue;
-            }
-            let now = Now::new(point.carried(x), point.components(direction), self.follows);
+            let components = point.components(direction);
+            (point, components)
+        });
+        let follows = self.follows;
+        Placed { follows, points: placed.filter(|(point, _)| point.area != 0.0).collect() }
+    }
+}
+
+/// A traction of size one on a face whose undeformed places are known.
+#[derive(Clone, Debug)]
+pub struct Placed {
+    follows: Follows,
+    /// Points that have an area, and the direction at each along their axes and along those of the model.
+    points: Vec<(Point, [[f64; 3]; 2])>,
+}
+
+impl Placed {
+    /// Forces of a traction of this size [F/L2] on nodes at `x` [L]: adds to `force`, three for each
+    /// node [F].
+    pub fn pull(&self, traction: f64, x: &[[f64; 3]], force: &mut [[f64; 3]]) {
+        for (point, direction) in &self.points {
+            let now = Now::new(point.carried(x), *direction, self.follows);
             for (own, shape) in force.iter_mut().zip(point.shapes) {
                 *own = add(*own, scale(now.force(), traction * point.area * shape));
             }
@@ -96,14 +115,10 @@ impl Traction {
 
     /// Derivative of the forces by the positions: adds to `tangent`, a row for each force and a
     /// column for each position, three of each a node [F/L].
-    pub fn stiffness(&self, traction: f64, [rest, x]: [&[[f64; 3]]; 2], tangent: &mut [f64]) {
+    pub fn stiffness(&self, traction: f64, x: &[[f64; 3]], tangent: &mut [f64]) {
         let width = 3 * x.len();
-        for (at, &direction) in self.face.points().zip(&self.directions) {
-            let point = Point::new(&self.face, &at, rest);
-            if point.area == 0.0 {
-                continue;
-            }
-            let now = Now::new(point.carried(x), point.components(direction), self.follows);
+        for (point, direction) in &self.points {
+            let now = Now::new(point.carried(x), *direction, self.follows);
             for column in 0..width {
                 let change = now.change(point.carried_by(column));
                 for (i, shape) in point.shapes.iter().enumerate().take(x.len()) {

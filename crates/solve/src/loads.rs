@@ -10,7 +10,7 @@ use crate::dofs::DofMap;
 use crate::section_loads::SectionLoad;
 use slideline_linalg::{Kind, Pattern};
 use slideline_mech::pressure::{Face, MOST_NODES};
-use slideline_mech::traction::Traction;
+use slideline_mech::traction;
 use slideline_mech::turn::Turn;
 use slideline_model::{self as model, Dof, Model, NodeIndex, Step};
 
@@ -30,7 +30,7 @@ struct Pressed {
 #[derive(Clone, Debug)]
 enum By {
     Pressure(Face),
-    Traction(Traction),
+    Traction(traction::Placed),
 }
 
 /// What a load follows.
@@ -55,7 +55,7 @@ impl Pressed {
     fn press(&self, size: f64, x: &[[f64; 3]], force: &mut [[f64; 3]]) {
         match &self.by {
             By::Pressure(face) => face.press(size, x, force),
-            By::Traction(traction) => traction.pull(size, [&self.reference, x], force),
+            By::Traction(traction) => traction.pull(size, x, force),
         }
     }
 
@@ -63,7 +63,7 @@ impl Pressed {
     fn stiffness(&self, size: f64, x: &[[f64; 3]], tangent: &mut [f64]) {
         match &self.by {
             By::Pressure(face) => face.stiffness(size, x, tangent),
-            By::Traction(traction) => traction.stiffness(size, [&self.reference, x], tangent),
+            By::Traction(traction) => traction.stiffness(size, x, tangent),
         }
     }
 }
@@ -71,21 +71,21 @@ impl Pressed {
 impl FaceLoads {
     /// Those of a step.
     pub fn new(model: &Model, step: &Step, dofs: &DofMap) -> Self {
+        let place = |&node: &NodeIndex| model.nodes.get(node).position;
         let faces = step.distributed.pressures.iter().map(|load| {
+            let reference: Vec<[f64; 3]> = load.nodes.iter().map(place).collect();
             let by = match &load.on {
                 model::Pressed::Face(face) => By::Pressure(*face),
-                model::Pressed::Traction(traction) => By::Traction(traction.clone()),
+                model::Pressed::Traction(traction) => By::Traction(traction.at_rest(&reference)),
                 model::Pressed::Sections(shares) => {
                     return Followed::Sections(SectionLoad::new(&load.nodes, shares, dofs));
                 }
             };
-            let place = |&node: &NodeIndex| model.nodes.get(node).position;
             let of =
                 |&node: &NodeIndex| [Dof::U1, Dof::U2, Dof::U3].map(|dof| dofs.find(node, dof));
             let dofs: Vec<[Option<usize>; 3]> = load.nodes.iter().map(of).collect();
             let all = dofs.as_flattened().iter().enumerate();
             let own = all.filter_map(|(place, dof)| Some(((*dof)?, place))).unzip();
-            let reference = load.nodes.iter().map(place).collect();
             Followed::Face(Pressed { by, reference, dofs, own })
         });
         Self { faces: faces.collect(), nonlinear: step.nlgeom }

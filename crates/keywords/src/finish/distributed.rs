@@ -151,7 +151,7 @@ fn pulled(traction: Traction, nodes: &[NodeIndex], x: &[[f64; 3]], draft: &Draft
         return What::Pressure(Pressed::Traction(traction), nodes.to_vec());
     }
     let mut forces = vec![[0.0; 3]; x.len()];
-    traction.pull(1.0, [x, x], &mut forces);
+    traction.at_rest(x).pull(1.0, x, &mut forces);
     What::Forces(shares(nodes, &forces, draft))
 }
 

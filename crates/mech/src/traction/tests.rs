@@ -50,7 +50,7 @@ fn moved(x: &[[f64; 3]], space: bool) -> Vec<[f64; 3]> {
 
 fn forces(own: &Traction, [rest, x]: [&[[f64; 3]]; 2]) -> Vec<[f64; 3]> {
     let mut force = vec![[0.0; 3]; x.len()];
-    own.pull(2.5, [rest, x], &mut force);
+    own.at_rest(rest).pull(2.5, x, &mut force);
     force
 }
 
@@ -66,7 +66,7 @@ fn stiffness_is_the_derivative() {
             let own = Traction::new(face, follows, &rest, |_| direction);
             let width = 3 * x.len();
             let mut tangent = vec![0.0; width * width];
-            own.stiffness(2.5, [&rest, &x], &mut tangent);
+            own.at_rest(&rest).stiffness(2.5, &x, &mut tangent);
             for column in (0..width).filter(|column| space || column % 3 < 2) {
                 let at = |by: f64| {
                     let mut x = x.clone();
