@@ -171,8 +171,9 @@ const WITHOUT_DIMENSION: [&str; 8] =
     ["model", "keywords", "solve", "results", "advice", "slideline", "deck", "cli"];
 
 /// Where two numbers are no vector of the plane, or what is described is plane by nature.
-const PAIRS: [(&str, &str); 11] = [
-    ("crates/model/src/contact.rs", "points of a profile; shares of two nodes; two coefficients"),
+const PAIRS: [(&str, &str); 12] = [
+    ("crates/model/src/contact.rs", "shares of two nodes; two coefficients"),
+    ("crates/model/src/surface.rs", "points of a profile"),
     ("crates/model/src/friction.rs", "two coefficients"),
     ("crates/model/src/element/", "kernels of plane elements"),
     ("crates/solve/src/newton/measures.rs", "forces and moments"),
