@@ -38,18 +38,14 @@ impl Contact {
         into.reaches.clear();
         into.trees.resize(self.masters.len(), None);
         into.face_trees.resize(self.masters.len(), None);
-        into.standing.resize_with(self.masters.len(), Standing::default);
-        let trees = into.trees.iter_mut().zip(&mut into.face_trees).zip(&mut into.standing);
-        for (master, ((tree, face_tree), standing)) in self.masters.iter().zip(trees) {
-            if let MasterSurface::Faces { mesh, nodes, offset, itself, .. } = master {
+        let trees = into.trees.iter_mut().zip(&mut into.face_trees);
+        for (master, (tree, face_tree)) in self.masters.iter().zip(trees) {
+            if let MasterSurface::Faces { mesh, nodes, offset, .. } = master {
                 into.nodes.extend(nodes.iter().map(|(at, dofs)| dofs.displace(*at, u)));
                 let own = &into.nodes[*offset..];
                 match face_tree {
                     Some(tree) => tree.fit(|face| faces::bounds(mesh, own, face)),
                     None => *face_tree = Some(faces::tree(mesh, own)),
-                }
-                if itself.is_some() {
-                    standing.take(mesh, own);
                 }
             }
             let MasterSurface::Line { chain, nodes, offset, itself, .. } = master else { continue };
@@ -73,6 +69,19 @@ impl Contact {
                 Some(tree) => chain.fit(tree, own),
                 None => *tree = Some(chain.tree(own)),
             }
+        }
+        self.stand_own_faces(into);
+    }
+
+    /// How the faces of masters that meet themselves stand, which are placed already.
+    fn stand_own_faces(&self, into: &mut MasterPositions) {
+        for (pair, master) in self.masters.iter().enumerate() {
+            let MasterSurface::Faces { mesh, nodes, offset, itself: Some(_), .. } = master else {
+                continue;
+            };
+            let pairs = into.standing.len().max(pair + 1);
+            into.standing.resize_with(pairs, Standing::default);
+            into.standing[pair].take(mesh, &into.nodes[*offset..offset + nodes.len()]);
         }
     }
 }
