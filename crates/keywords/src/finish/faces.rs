@@ -28,6 +28,13 @@ pub(super) struct SolidFace {
     pub span: Span,
 }
 
+impl SolidFace {
+    /// The ends of a face of the plane.
+    pub fn ends(&self) -> [NodeIndex; 2] {
+        [self.nodes[0], self.nodes[self.nodes.len() - 1]]
+    }
+}
+
 /// The faces of a surface of elements, each once; `user` names it. Complains about other surfaces.
 pub(super) fn faces(surface: &NamedSurface, user: Span, draft: &mut Draft) -> Vec<SolidFace> {
     let stretches = match &surface.extent {

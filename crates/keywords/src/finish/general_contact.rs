@@ -12,6 +12,7 @@ use slideline_model::Formulation;
 
 use super::faces::faces;
 use super::loops::outlines;
+use super::own_contact::Alone;
 use super::skin::{Patch, Skin};
 use crate::draft::Draft;
 use crate::log::Target;
@@ -29,7 +30,7 @@ const SMOOTH: f64 = 0.2;
 
 /// One side of a meeting.
 #[derive(Clone, Debug, PartialEq)]
-enum Side {
+pub(super) enum Side {
     /// Faces of one part.
     Faces(Patch),
     /// An analytical surface.
@@ -43,7 +44,7 @@ type Meeting = [Side; 2];
 pub(super) fn pairings(draft: &mut Draft) {
     let Some(general) = draft.general.take() else { return };
     let skin = Skin::of(general.origin, draft);
-    let mut alone = Patch::new();
+    let mut alone = Alone::default();
     let mut meetings: Vec<Meeting> = Vec::new();
     for two in &general.inclusions {
         for meeting in include(two, &skin, &mut alone, draft) {
@@ -54,23 +55,21 @@ pub(super) fn pairings(draft: &mut Draft) {
     for two in general.exclusions.iter().chain(&elsewhere(draft)) {
         let Some(excluded) = sides(two, &skin, draft) else { continue };
         for [first, second] in excluded {
+            alone.exclude(&first, &second);
             meetings = outside(meetings, &[first, second]);
         }
-    }
-    if !alone.is_empty() {
-        let message = "contact of a part with itself is left out of this general contact";
-        draft.log.push(Diagnostic::note(Code("SL0393"), message).at(general.origin));
     }
     let mut made = Made { general: &general, names: Vec::new(), count: 0 };
     for (interaction, data, meeting) in with_properties(&general, meetings, &skin, draft) {
         let adjust = data.and_then(|named| initialization(&named, draft));
         made.pair((interaction, adjust), meeting, &skin, draft);
     }
+    alone.pair(&general, &mut made, &skin, draft);
     if made.count == 0 {
-        let message = "this general contact has no two parts that could touch";
+        let message = "this general contact has nothing that could touch";
         let warning = Diagnostic::warning(Code("SL0394"), message).at(general.origin);
-        let help = "it is between parts that share no node; *CONTACT INCLUSIONS names which, ALL \
-                    EXTERIOR takes all";
+        let help = "it is between parts that share no node, and of parts with themselves; *CONTACT \
+                    INCLUSIONS names which, ALL EXTERIOR takes all";
         draft.consequence(Subject::Contact, warning.help(help));
     }
 }
@@ -94,7 +93,7 @@ fn side(named: Option<&Named>, skin: &Skin, draft: &mut Draft) -> Option<Vec<Sid
 }
 
 /// All meetings of the sides of two names, each in one order.
-fn sides(two: &Two, skin: &Skin, draft: &mut Draft) -> Option<Vec<Meeting>> {
+pub(super) fn sides(two: &Two, skin: &Skin, draft: &mut Draft) -> Option<Vec<Meeting>> {
     let first = side(two.first.as_ref(), skin, draft)?;
     let second = match two.is_alone() {
         true => first.clone(),
@@ -105,15 +104,13 @@ fn sides(two: &Two, skin: &Skin, draft: &mut Draft) -> Option<Vec<Meeting>> {
 }
 
 /// Meetings of an inclusion between parts; what would meet itself is collected.
-fn include(two: &Two, skin: &Skin, alone: &mut Patch, draft: &mut Draft) -> Vec<Meeting> {
+fn include(two: &Two, skin: &Skin, alone: &mut Alone, draft: &mut Draft) -> Vec<Meeting> {
     let all = sides(two, skin, draft).unwrap_or_default();
     let mut kept: Vec<Meeting> = Vec::new();
     for [first, second] in all {
         match (&first, &second) {
             (Side::Analytical(_), Side::Analytical(_)) => {}
-            (Side::Faces(a), Side::Faces(b)) if part(a, skin) == part(b, skin) => {
-                alone.extend(a.intersection(b));
-            }
+            (Side::Faces(a), Side::Faces(b)) if alone.include((a, b), skin) => {}
             (Side::Faces(a), Side::Faces(b)) if are_one_body(a, b, skin) => {}
             _ if kept.contains(&[second.clone(), first.clone()]) => {}
             _ => kept.push([first, second]),
@@ -122,7 +119,7 @@ fn include(two: &Two, skin: &Skin, alone: &mut Patch, draft: &mut Draft) -> Vec<
     kept
 }
 
-fn part(patch: &Patch, skin: &Skin) -> Option<usize> {
+pub(super) fn part(patch: &Patch, skin: &Skin) -> Option<usize> {
     patch.first().map(|&face| skin.part_of[face])
 }
 
@@ -249,7 +246,7 @@ fn initialization(named: &Named, draft: &mut Draft) -> Option<(Adjusted, Span)> 
 }
 
 /// The surfaces and pairs that are made.
-struct Made<'a> {
+pub(super) struct Made<'a> {
     general: &'a GeneralContact,
     names: Vec<(Side, String)>,
     count: usize,
@@ -279,25 +276,52 @@ impl Made<'_> {
             let note = Diagnostic::note(Code("SL0395"), message).at(self.general.origin);
             draft.log.push(note);
             self.count += 1;
-            let formulation = match draft.model.is_in_space() {
-                true => Formulation::NodeToSurface,
-                false => Formulation::SurfaceToSurface,
-            };
-            draft.pairings.push(Pairing {
-                slave: slave.clone(),
-                master,
-                interaction: interaction.clone(),
-                formulation,
-                smooth: SMOOTH,
-                extension: EXTENSION,
-                chain_parameter: None,
-                adjust: adjust.clone(),
-                no_thickness: true,
-                is_tied: false,
-                axes: [None, None],
-                alone: false,
-                origin: self.general.origin,
-            });
+            let names = (slave.clone(), master);
+            let own = self.pairing(names, (interaction.clone(), adjust.clone()), draft);
+            draft.pairings.push(own);
+        }
+    }
+
+    /// Makes the pair of a part that meets itself.
+    pub fn own_pair(
+        &mut self,
+        interaction: Option<Named>,
+        side: Side,
+        skin: &Skin,
+        draft: &mut Draft,
+    ) {
+        let interaction = interaction.unwrap_or_else(|| self.plain(draft));
+        let own = self.surface(side, skin, draft);
+        let own = self.pairing((own.clone(), own), (interaction, None), draft);
+        draft.pairings.push(Pairing { alone: true, ..own });
+        self.count += 1;
+    }
+
+    /// A pair of these names.
+    fn pairing(
+        &self,
+        (slave, master): (Named, Named),
+        (interaction, adjust): (Named, Option<(Adjusted, Span)>),
+        draft: &Draft,
+    ) -> Pairing {
+        let formulation = match draft.model.is_in_space() || slave.name == master.name {
+            true => Formulation::NodeToSurface,
+            false => Formulation::SurfaceToSurface,
+        };
+        Pairing {
+            slave,
+            master,
+            interaction,
+            formulation,
+            smooth: SMOOTH,
+            extension: EXTENSION,
+            chain_parameter: None,
+            adjust,
+            no_thickness: true,
+            is_tied: false,
+            axes: [None, None],
+            alone: false,
+            origin: self.general.origin,
         }
     }
 

@@ -15,10 +15,7 @@ use super::skin::{Patch, Skin};
 
 /// The outlines of a patch of the plane: faces that are joined at their ends.
 pub(super) fn outlines(patch: &Patch, skin: &Skin) -> Vec<Patch> {
-    let ends = |face: usize| {
-        let nodes = &skin.faces[face].nodes;
-        [nodes[0], nodes[nodes.len() - 1]]
-    };
+    let ends = |face: usize| skin.faces[face].ends();
     let mut at: HashMap<NodeIndex, Vec<usize>> = HashMap::new();
     for &face in patch {
         ends(face).into_iter().for_each(|node| at.entry(node).or_default().push(face));

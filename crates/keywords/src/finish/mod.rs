@@ -37,6 +37,7 @@ mod middle_nodes;
 mod model_changes;
 mod nodes;
 mod orientations;
+mod own_contact;
 mod own_surface;
 mod owners;
 mod point_masses;

@@ -100,7 +100,7 @@ fn unsupported(pairing: &Pairing, message: String, draft: &mut Draft) -> Parts {
 fn say(pairing: &Pairing, draft: &mut Draft) {
     let name = &pairing.slave.name;
     let message = match pairing.alone {
-        true => format!("{name} stands alone: it meets itself"),
+        true => format!("{name} meets itself"),
         false => format!("{name} is both sides of this contact: it meets itself"),
     };
     let note = Diagnostic::note(Code("SL0361"), message).at(pairing.origin);

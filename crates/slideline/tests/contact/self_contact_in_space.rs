@@ -203,7 +203,11 @@ fn two_leaves_as_one_surface_are_their_pair() {
 
 /// A tube of wall 8.5 to 10 with so many elements in its upper and lower half, held below and pushed
 /// flat from above; of CPE4, or of one layer of C3D8 that keeps its thickness.
-fn tube([upper, lower, layers]: [usize; 3], in_space: bool) -> Course {
+fn tube(cells: [usize; 3], in_space: bool) -> Course {
+    tube_with(cells, in_space, "*CONTACT PAIR, INTERACTION=I, TYPE=NODE TO SURFACE\nHOLLOW\n")
+}
+
+fn tube_with([upper, lower, layers]: [usize; 3], in_space: bool, contact: &str) -> Course {
     let columns = upper + lower;
     let node = |column: usize, layer: usize, side: usize| {
         1 + column % columns + 1000 * (layer + 10 * side)
@@ -252,8 +256,7 @@ fn tube([upper, lower, layers]: [usize; 3], in_space: bool) -> Course {
 *MATERIAL, NAME=RUBBER\n*HYPERELASTIC, NEO HOOKE\n0.5, 0.02
 *SOLID SECTION, ELSET=TUBE, MATERIAL=RUBBER\n{thickness}*SURFACE, NAME=HOLLOW\nIN, {face}
 *SURFACE INTERACTION, NAME=I\n{thickness}*FRICTION\n0.1
-*CONTACT PAIR, INTERACTION=I, TYPE=NODE TO SURFACE\nHOLLOW
-*STEP, NLGEOM, INC=200\n*STATIC\n0.02, 1.0, 1.0E-6, 0.02
+{contact}*STEP, NLGEOM, INC=200\n*STATIC\n0.02, 1.0, 1.0E-6, 0.02
 *BOUNDARY\nFOOT, 1, 2\nTOP, 1, 1\nTOP, 2, 2, -17.4\n{held}*END STEP\n"
     );
     run(&deck, course)
@@ -269,11 +272,7 @@ fn a_tube_of_bricks_is_its_plane() {
     for cells in [[40, 44, 3], [80, 88, 6]] {
         let (space, plane) = (tube(cells, true), tube(cells, false));
         let peak = plane.forces.iter().fold(0.0_f64, |most, force| most.max(force[1].abs()));
-        let differences = space.at.iter().zip(&space.forces).filter_map(|(time, force)| {
-            let same = plane.at.iter().position(|own| (own - time).abs() < 1e-9)?;
-            Some((force[1] - plane.forces[same][1]).abs() / peak)
-        });
-        let differences: Vec<f64> = differences.collect();
+        let differences: Vec<f64> = down(&space, &plane).map(|own| own / peak).collect();
         assert!(differences.len() > 45 && space.closed > 0);
         assert!(space.imbalance < 1e-9 && space.deepest < 1e-8);
         means.push(differences.iter().sum::<f64>() / differences.len() as f64);
@@ -282,6 +281,30 @@ fn a_tube_of_bricks_is_its_plane() {
         }
     }
     assert!(means[0] < 2e-3 && means[1] < 3e-4, "{means:?}");
+}
+
+/// Requirement: general contact knows that a tube can meet itself: it carries what the hollow alone
+/// carries, its outside touches nothing.
+#[test]
+fn general_contact_knows_that_a_tube_meets_itself() {
+    let general = "*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR
+*CONTACT PROPERTY ASSIGNMENT\n, , I\n";
+    for in_space in [false, true] {
+        let [own, pair] = [tube_with([40, 44, 3], in_space, general), tube([40, 44, 3], in_space)];
+        let peak = pair.forces.iter().fold(0.0_f64, |most, force| most.max(force[1].abs()));
+        let differences: Vec<f64> = down(&own, &pair).map(|own| own / peak).collect();
+        assert!(own.closed > 0 && differences.len() > 45);
+        assert!(differences.iter().all(|own| *own < 1e-4), "{differences:?}");
+        assert!(own.imbalance < 1e-9 && own.deepest < 1e-8);
+    }
+}
+
+/// Differences of the forces down, at the times that both runs have.
+fn down(one: &Course, other: &Course) -> impl Iterator<Item = f64> {
+    one.at.iter().zip(&one.forces).filter_map(|(time, force)| {
+        let same = other.at.iter().position(|own| (own - time).abs() < 1e-9)?;
+        Some((force[1] - other.forces[same][1]).abs())
+    })
 }
 
 /// Requirement: a block whose whole skin meets itself, pressed to two fifths of its height and sheared,

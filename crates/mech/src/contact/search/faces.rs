@@ -96,7 +96,7 @@ pub(super) fn walk(
     may: impl Fn(usize) -> bool,
     room: &mut PlacedFace,
 ) -> Option<FacePlace> {
-    let mut start = nearest_of(mesh, positions, face, point).1;
+    let mut start = nearest_of(mesh, positions, face, point).place;
     let mut seen = [usize::MAX; WAY];
     for step in 0..WAY {
         seen[step] = face;
@@ -114,7 +114,7 @@ pub(super) fn walk(
             }
             Some(next) => face = next,
         }
-        start = nearest_of(mesh, positions, face, point).1;
+        start = nearest_of(mesh, positions, face, point).place;
     }
     None
 }
@@ -136,7 +136,7 @@ fn nearest(
     tree: &FaceTree,
     point: Vector,
 ) -> Option<(usize, f64)> {
-    tree.nearest(point, |face| nearest_of(mesh, positions, face, point).0)
+    tree.nearest(point, |face| nearest_of(mesh, positions, face, point).square)
 }
 
 /// The place of a face on which a point stood, where it faces it still: hardly farther away than
@@ -149,7 +149,7 @@ pub(super) fn keep(
     room: &mut PlacedFace,
 ) -> Option<FacePlace> {
     let patch = mesh.place(face, positions, room)?;
-    let start = nearest_of(mesh, positions, face, point).1;
+    let start = nearest_of(mesh, positions, face, point).place;
     let at = project(&patch, start, point)?;
     let place = patch.place(at);
     let (edge, beyond) = beyond(patch.corners(), at);
@@ -207,26 +207,36 @@ pub(super) fn project(patch: &Patch, start: [f64; 2], point: Vector) -> Option<[
     Some(at)
 }
 
-/// Square of the distance of a point from the corners' triangles of a face [L2], and the nearest
-/// place on the reference cell.
+/// What of the corners' triangles of a face is nearest to a point.
+pub(super) struct Nearest {
+    /// Square of the distance [L2].
+    pub square: f64,
+    /// The place on the reference cell [1].
+    pub place: [f64; 2],
+    /// The way to it from the point [L].
+    pub way: Vector,
+}
+
+/// What of a face is nearest to a point.
 pub(super) fn nearest_of(
     mesh: &FaceMesh,
     positions: &[Vector],
     face: usize,
     point: Vector,
-) -> (f64, [f64; 2]) {
+) -> Nearest {
     let own = &mesh.faces()[face];
     let corner = |k: usize| positions[own.nodes[k]];
-    let mut best = (f64::INFINITY, [0.0; 2]);
+    let mut best = Nearest { square: f64::INFINITY, place: [0.0; 2], way: [0.0; 3] };
     for triangle in own.triangles() {
         let (square, shares) = nearest_of_triangle(triangle.map(corner), point);
-        if square < best.0 {
-            let mut at = [0.0; 2];
-            for (share, &k) in shares.iter().zip(triangle) {
-                at[0] += share * own.cell.places[k][0];
-                at[1] += share * own.cell.places[k][1];
+        if square < best.square {
+            let mut found = Nearest { square, place: [0.0; 2], way: scale(point, -1.0) };
+            for (&share, &k) in shares.iter().zip(triangle) {
+                found.place[0] += share * own.cell.places[k][0];
+                found.place[1] += share * own.cell.places[k][1];
+                found.way = add(found.way, scale(corner(k), share));
             }
-            best = (square, at);
+            best = found;
         }
     }
     best

@@ -80,12 +80,13 @@ struct Met {
     distance: f64,
 }
 
-/// A node with the unit normals of the faces about it.
+/// A node with the unit normals of the faces about it, and the least depth of the part behind them.
 struct Looking {
     node: usize,
     point: Vector,
     normals: [Vector; MOST],
     count: usize,
+    thickness: f64,
 }
 
 impl OwnFaces {
@@ -178,11 +179,11 @@ impl OwnFaces {
 
     fn place(
         &self,
-        PlacedOwn { mesh, positions, standing, .. }: PlacedOwn<'_>,
+        placed: PlacedOwn<'_>,
         (looking, met, extension, before): (&Looking, Met, f64, Option<usize>),
         room: &mut PlacedFace,
     ) -> Option<FacePlace> {
-        let point = looking.point;
+        let (PlacedOwn { mesh, positions, standing, .. }, point) = (placed, looking.point);
         let may_keep = |&face: &usize| {
             self.stops(looking.node, face) && looking.looks_at(standing.normals[face])
         };
@@ -192,15 +193,16 @@ impl OwnFaces {
         if kept.is_some() {
             return kept;
         }
-        let stops = |face: usize| self.stops(looking.node, face);
-        walk((mesh, positions), (met.face, point, extension), stops, room)
+        let may = |face: usize| self.distance(placed, looking, face).is_finite();
+        walk((mesh, positions), (met.face, point, extension), may, room)
     }
 
     fn looking(&self, placed: PlacedOwn<'_>, node: usize) -> Looking {
         let mut normals = [[0.0; 3]; MOST];
         let own = self.at[node].iter().map(|&face| placed.standing.normals[face]);
         let count = normals.iter_mut().zip(own).map(|(into, own)| *into = own).count();
-        Looking { node, point: placed.positions[node], normals, count }
+        let thickness = self.thickness_at(node);
+        Looking { node, point: placed.positions[node], normals, count, thickness }
     }
 
     fn nearest(&self, placed: PlacedOwn<'_>, looking: &Looking) -> Option<Met> {
@@ -226,18 +228,27 @@ impl OwnFaces {
         if depth > 0.0 && (depth > most || self.is_inside(mesh, looking.node, face)) {
             return f64::INFINITY;
         }
-        let (square, _) = nearest_of(mesh, positions, face, looking.point);
-        if depth > 0.0 && square > most * most { f64::INFINITY } else { square }
+        let nearest = nearest_of(mesh, positions, face, looking.point);
+        let may = match depth > 0.0 {
+            true => nearest.square <= most * most,
+            false => looking.reaches(normal, nearest.way),
+        };
+        if may { nearest.square } else { f64::INFINITY }
+    }
+
+    /// Depth of the part at a node, undeformed: the least of the faces about it [L].
+    fn thickness_at(&self, node: usize) -> f64 {
+        let own = self.at[node].iter().map(|&face| self.thickness[face]);
+        own.fold(f64::INFINITY, f64::min)
     }
 
     /// Whether a node and a face were back to back at the start, with their own part between them.
     fn is_inside(&self, mesh: &FaceMesh, node: usize, face: usize) -> bool {
         let reference = &self.reference[..];
-        let own = self.at[node].iter().map(|&face| self.thickness[face]);
-        let own = own.fold(f64::INFINITY, f64::min);
+        let own = self.thickness_at(node);
         let normal = mesh.normal(face, reference);
         let from = reference[node];
-        let (square, _) = nearest_of(mesh, reference, face, from);
+        let square = nearest_of(mesh, reference, face, from).square;
         // to the middle: which side of the part it leads to is asked, not how far
         let way = sub(mesh.middle(face, reference), from);
         let inward = self.at[node].iter().all(|&own| dot(mesh.normal(own, reference), way) <= 0.0);
@@ -250,6 +261,14 @@ impl Looking {
     /// Whether one of the faces about the node and a face with that normal look at one another.
     fn looks_at(&self, normal: Vector) -> bool {
         self.normals[..self.count].iter().any(|own| dot(*own, normal) < -LOOKS)
+    }
+
+    /// Whether the way to a face in front of which the node stands does not lead through the part: it
+    /// leaves one of the faces that look at that face, or is shorter than the part could be sunk in.
+    fn reaches(&self, normal: Vector, way: Vector) -> bool {
+        let (length, mut all) = (size(way), self.normals[..self.count].iter());
+        length <= SUNK * self.thickness
+            || all.any(|own| dot(*own, normal) < -LOOKS && dot(*own, way) > LOOKS * length)
     }
 }
 

@@ -96,7 +96,7 @@ impl About<'_> {
     /// there; `None` where it stands too far beyond an edge, or too deep.
     fn place_on(&self, mut face: usize, room: &mut PlacedFace) -> Option<(f64, FacePlace)> {
         for _ in 0..WAY {
-            let (_, start) = nearest_of(self.mesh, self.positions, face, self.point);
+            let start = nearest_of(self.mesh, self.positions, face, self.point).place;
             let patch = self.mesh.place(face, self.positions, room)?;
             let at = project(&patch, start, self.point)?;
             let (edge, outside) = beyond(patch.corners(), at);

@@ -213,3 +213,35 @@ fn neighbours_in_a_notch_do_not_meet() {
         }
     }
 }
+
+/// Requirement: a node on the outside of a tube sees nothing through the wall, though faces of the hollow
+/// look at it from the other side; the rims of the tube, which stand at right angles, change nothing.
+#[test]
+fn nothing_is_met_through_a_wall() {
+    const AROUND: usize = 80;
+    let node = |column: usize, side: usize| 4 * (column % AROUND) + side;
+    let (mut faces, mut nodes) = (Vec::new(), Vec::new());
+    for column in 0..AROUND {
+        let (s, c) = (std::f64::consts::TAU * column as f64 / AROUND as f64).sin_cos();
+        let places = [(8.5, 0.0), (10.0, 0.0), (10.0, 0.7), (8.5, 0.7)];
+        nodes.extend(places.map(|(radius, z)| [radius * c, radius * s, z]));
+        // rim below, outside, rim above, hollow
+        for side in 0..4 {
+            let next = (side + 1) % 4;
+            let round = [node(column, side), node(column + 1, side), node(column + 1, next)];
+            let nodes = round.into_iter().chain([node(column, next)]).collect();
+            faces.push(MeshFace { cell: &QUAD4, nodes });
+        }
+    }
+    let mesh = FaceMesh::new(faces, &nodes, false);
+    assert!(mesh.normal(1, &nodes)[0] > 0.9, "the outside looks outward");
+    let own = OwnFaces::new(&mesh, &nodes);
+    let tree = faces::tree(&mesh, &nodes);
+    let mut standing = Standing::default();
+    standing.take(&mesh, &nodes);
+    let placed = PlacedOwn { mesh: &mesh, positions: &nodes, standing: &standing, tree: &tree };
+    for (number, at) in nodes.iter().enumerate().filter(|(_, at)| at[0].hypot(at[1]) > 9.0) {
+        assert!(own.nearest(placed, &own.looking(placed, number)).is_none(), "{at:?}");
+        assert_eq!(met(&mesh, &nodes, &own, number), None, "{at:?}");
+    }
+}
