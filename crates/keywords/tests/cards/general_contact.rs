@@ -135,3 +135,78 @@ fn slaves_begin_as_their_data_say() {
         assert!(read.diagnostics.iter().any(|said| said.code.0 == code), "{new}");
     }
 }
+
+/// A strip of six elements of sets LEFT and RIGHT, and a block beside it, with contact cards.
+fn strip(cards: &str) -> String {
+    let mut deck = String::from("*HEADING\na strip and a block\n*NODE\n");
+    for k in 0..7 {
+        deck += &format!("{}, {k}.0, 0.0\n{}, {k}.0, 1.0\n", 1 + k, 11 + k);
+    }
+    deck += "21, 1.0, 1.5\n22, 1.5, 1.5\n23, 1.5, 2.0\n24, 1.0, 2.0\n";
+    for (set, first) in [("LEFT", 0), ("RIGHT", 3)] {
+        deck += &format!("*ELEMENT, TYPE=CPE4, ELSET={set}\n");
+        for k in first..first + 3 {
+            deck += &format!("{}, {}, {}, {}, {}\n", 1 + k, 1 + k, 2 + k, 12 + k, 11 + k);
+        }
+    }
+    deck + "*ELEMENT, TYPE=CPE4, ELSET=B\n21, 21, 22, 23, 24\n*ELSET, ELSET=STRIP\nLEFT, RIGHT
+*ELSET, ELSET=ENDS\n1, 6\n*ELSET, ELSET=ALL\nSTRIP, B
+*SURFACE, NAME=SKIN\nSTRIP,\n*SURFACE, NAME=BLOCK\nB,\n*SURFACE, NAME=HEAD\n1, S4
+*SURFACE, NAME=TAIL\n6, S2\n*SOLID SECTION, ELSET=LEFT, MATERIAL=M\n1.0
+*SOLID SECTION, ELSET=RIGHT, MATERIAL=M\n1.0\n*SOLID SECTION, ELSET=B, MATERIAL=M\n1.0
+*MATERIAL, NAME=M\n*ELASTIC\n10.0, 0.3\n*SURFACE INTERACTION, NAME=OIL\n*FRICTION\n0.05
+*SURFACE INTERACTION, NAME=DRY\n*FRICTION\n0.4\n*CONTACT\n"
+        + cards
+        + "*STEP, NLGEOM\n*STATIC\n0.5, 1.0\n*BOUNDARY\n1, 1, 2\n11, 1, 2\n21, 1, 2\n22, 1, 2\n*END STEP\n"
+}
+
+/// Requirement: a part with faces that can meet is a surface that meets itself, whether all outsides
+/// are included or its own alone; excluded, it is none; the last property with it on both sides counts.
+#[test]
+fn a_part_meets_itself() {
+    const ALL: &str = "*CONTACT INCLUSIONS, ALL EXTERIOR\n";
+    let with_itself = model(&strip(ALL));
+    assert_eq!(names(&with_itself), ["B/STRIP", "STRIP"], "one element has no faces that can meet");
+    let own = &with_itself.contact_pairs[1];
+    assert!(own.meets_itself() && own.elements.len() == 14, "{}", own.elements.len());
+    for named in ["SKIN,", "SKIN, SKIN"] {
+        let model = model(&strip(&format!("*CONTACT INCLUSIONS\n{named}\n")));
+        assert_eq!(names(&model), ["STRIP"], "{named}");
+    }
+    let without = format!("{ALL}*CONTACT EXCLUSIONS\nSKIN,\n");
+    assert_eq!(names(&model(&strip(&without))), ["B/STRIP"]);
+    let laws =
+        format!("{ALL}*CONTACT PROPERTY ASSIGNMENT\n, , DRY\nSKIN, SKIN, OIL\nSKIN, BLOCK, DRY\n");
+    let with_laws = model(&strip(&laws));
+    let friction =
+        with_laws.contact_pairs.iter().map(|own| own.interaction.friction.coefficients()[0]);
+    assert_eq!(friction.collect::<Vec<_>>(), [0.4, 0.05]);
+}
+
+/// Requirement: two surfaces of a part that share no node are the sides of a pair like any other.
+#[test]
+fn two_ends_of_a_part_are_a_pair() {
+    let model = model(&strip("*CONTACT INCLUSIONS\nHEAD, TAIL\n"));
+    assert_eq!(model.contact_pairs.len(), 1);
+    let pair = &model.contact_pairs[0];
+    assert!(!pair.meets_itself() && pair.elements.len() == 1);
+}
+
+/// Requirement: a part that cannot be made to meet itself keeps its other contact, and says why.
+#[test]
+fn what_cannot_meet_itself_is_said() {
+    let all = strip("*CONTACT INCLUSIONS, ALL EXTERIOR\n");
+    let stepped = all.replace("ELSET=RIGHT, MATERIAL=M\n1.0", "ELSET=RIGHT, MATERIAL=M\n2.0");
+    // a seventh element that touches a corner of the strip alone
+    let touching = all
+        .replace("21, 1.0, 1.5\n", "31, 7.0, 1.0\n32, 7.0, 2.0\n33, 6.0, 2.0\n21, 1.0, 1.5\n")
+        .replace("ELSET=B\n", "ELSET=RIGHT\n7, 17, 31, 32, 33\n*ELEMENT, TYPE=CPE4, ELSET=B\n");
+    for (deck, why) in [(stepped, "thick"), (touching, "touches")] {
+        let read =
+            read(&mut Sources::default(), "a.inp", deck.as_bytes(), &NoFiles, Dialect::Abaqus);
+        let said = read.diagnostics.iter().find(|own| own.code.0 == "SL0393");
+        assert!(said.is_some_and(|own| own.message.contains(why)), "{:#?}", read.diagnostics);
+        let pairs = &read.model.contact_pairs;
+        assert!(pairs.iter().all(|own| !own.meets_itself()), "{:?}", names(&read.model));
+    }
+}
