@@ -206,13 +206,14 @@ fn face_is_edge(face: &SolidFace, draft: &Draft) -> bool {
     }
 }
 
-/// For each element the first one of those that it is joined with through nodes.
+/// For each element the first one of those that it is joined with through nodes, of what has been
+/// cut by a pre-tension section through those before the cut.
 fn joined(elements: &[usize], draft: &Draft) -> Vec<usize> {
     let mut parent: Vec<usize> = (0..elements.len()).collect();
     let mut first: HashMap<u64, usize> = HashMap::new();
     for (place, &element) in elements.iter().enumerate() {
         for &node in draft.elements[element].nodes() {
-            let other = *first.entry(node).or_insert(place);
+            let other = *first.entry(draft.uncut(node)).or_insert(place);
             let (a, b) = (root(&mut parent, place), root(&mut parent, other));
             parent[a.max(b)] = a.min(b);
         }
