@@ -142,6 +142,6 @@ fn say(pair: &ContactPair, apart: f64, between: f64) -> Finding {
     let said = Diagnostic::advice(Code("SL0428"), message).at(pair.origin);
     Finding::said(said.help(
         "name the surface with the finer mesh first on *CONTACT PAIR, or give it \
-         TYPE=SURFACE TO SURFACE",
+         TYPE=SURFACE TO SURFACE; general contact leaves surfaces to a *CONTACT PAIR of their own",
     ))
 }

@@ -105,6 +105,8 @@ pub(crate) struct Draft {
     /// Axes of the nodes that have their own, when all cards are read.
     pub axes: HashMap<NodeIndex, slideline_model::Axes>,
     pub pre_tensions: Vec<PreTension>,
+    /// The nodes that cuts by pre-tension sections have added, and those that they stand for.
+    pub cut_nodes: HashMap<u64, u64>,
     pub shape_mpcs: Vec<ShapeMpc>,
     /// Dofs that follow others, and where it was said; known when links are resolved.
     pub dependents: HashMap<(NodeIndex, Dof), Span>,
@@ -149,6 +151,12 @@ impl Draft {
     pub fn new(dialect: Dialect) -> Self {
         let model = Model { dialect, ..Model::default() };
         Self { dialect, model, ..Self::default() }
+    }
+
+    /// The node of the deck that a node stands for: both sides of a cut by a pre-tension section
+    /// are one part, and the cut is no outside.
+    pub fn uncut(&self, node: u64) -> u64 {
+        self.cut_nodes.get(&node).copied().unwrap_or(node)
     }
 
     /// The step that is open.

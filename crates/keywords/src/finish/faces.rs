@@ -192,9 +192,11 @@ pub(super) fn free_faces(found: &[usize], span: Span, draft: &Draft) -> Vec<Soli
     faces
 }
 
-/// The faces that only one element of the list has; lines are surfaces themselves.
+/// The faces that only one element of the list has; lines are surfaces themselves. What a
+/// pre-tension section has cut is within.
 fn free(found: &[usize], span: Span, draft: &Draft, into: &mut Vec<SolidFace>) {
-    let mut owners: HashMap<Vec<NodeIndex>, usize> = HashMap::new();
+    let whole = |&node: &NodeIndex| draft.uncut(draft.model.nodes.label(node));
+    let mut owners: HashMap<Vec<u64>, usize> = HashMap::new();
     let mut all = Vec::new();
     for &index in found {
         let faces: Vec<Option<usize>> = match draft.elements[index].kind {
@@ -205,7 +207,7 @@ fn free(found: &[usize], span: Span, draft: &Draft, into: &mut Vec<SolidFace>) {
         };
         for face in faces {
             let Some(nodes) = face_nodes(index, face, draft) else { continue };
-            let mut key = nodes.clone();
+            let mut key: Vec<u64> = nodes.iter().map(whole).collect();
             key.sort_unstable();
             *owners.entry(key.clone()).or_insert(0) += 1;
             all.push((key, SolidFace { element: index, face, nodes, span }));

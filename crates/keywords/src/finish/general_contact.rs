@@ -23,6 +23,9 @@ use crate::surfaces::{
 
 /// Ratio of stiffnesses from which on the stiffer part is the master, whatever the meshes [1].
 const STIFFER: f64 = 10.0;
+/// Difference of distances, a part of them, below which two meshes are as fine: rounding decides
+/// no role.
+const SAME: f64 = 1e-6;
 /// `EXTENSION ZONE` of the pairs, as of `*CONTACT PAIR` [1].
 const EXTENSION: f64 = 0.1;
 /// `SMOOTH` of the pairs likewise [1].
@@ -261,7 +264,7 @@ impl Made<'_> {
         skin: &Skin,
         draft: &mut Draft,
     ) {
-        let ([slave, master], why) = roles(meeting, skin);
+        let ([slave, master], why) = roles(meeting, skin, draft);
         let masters = match &master {
             Side::Faces(patch) if !draft.model.is_in_space() => {
                 outlines(patch, skin).into_iter().map(Side::Faces).collect()
@@ -370,20 +373,25 @@ fn stretch(face: &super::faces::SolidFace, span: Span, draft: &Draft) -> Stretch
 }
 
 /// Slave and master, and why.
-fn roles([first, second]: Meeting, skin: &Skin) -> (Meeting, &'static str) {
-    let (a, b) = match (&first, &second) {
+fn roles([first, second]: Meeting, skin: &Skin, draft: &Draft) -> (Meeting, &'static str) {
+    let (on_a, on_b) = match (&first, &second) {
         (Side::Analytical(_), _) => return ([second, first], "which is analytical"),
         (_, Side::Analytical(_)) => return ([first, second], "which is analytical"),
-        (Side::Faces(a), Side::Faces(b)) => (part(a, skin), part(b, skin)),
+        (Side::Faces(a), Side::Faces(b)) => (a, b),
     };
-    let (Some(a), Some(b)) = (a, b) else { return ([first, second], "as they come") };
+    let (Some(a), Some(b)) = (part(on_a, skin), part(on_b, skin)) else {
+        return ([first, second], "as they come");
+    };
     let (a, b) = (&skin.parts[a], &skin.parts[b]);
     let (turned, why) = match (a.body.is_some(), b.body.is_some()) {
         (true, false) => (true, "which is rigid"),
         (false, true) => (false, "which is rigid"),
         _ if a.stiffness > STIFFER * b.stiffness => (true, "which is stiffer"),
         _ if b.stiffness > STIFFER * a.stiffness => (false, "which is stiffer"),
-        _ => (b.size < a.size, "whose mesh is no finer"),
+        _ => {
+            let [own, other] = [on_a, on_b].map(|patch| skin.spacing(patch, draft));
+            (other < own * (1.0 - SAME), "whose mesh is no finer")
+        }
     };
     (if turned { [second, first] } else { [first, second] }, why)
 }

@@ -190,7 +190,9 @@ fn part(
     let mut copy_of: HashMap<u64, u64> = HashMap::new();
     let mut pairs = Vec::with_capacity(nodes.len());
     for (label, other) in (next..).zip(nodes) {
-        copy_of.insert(draft.model.nodes.label(other), label);
+        let of = draft.model.nodes.label(other);
+        copy_of.insert(of, label);
+        draft.cut_nodes.insert(label, draft.uncut(of));
         let position = draft.model.nodes.position(other);
         pairs.push((other, draft.model.nodes.insert(Node { label, position, origin })));
     }

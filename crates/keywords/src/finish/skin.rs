@@ -38,8 +38,6 @@ pub(super) struct Part {
     pub name: String,
     /// The largest stiffness of its materials [F/L2].
     pub stiffness: f64,
-    /// The mean length of the edges of its faces [L].
-    pub size: f64,
     /// The rigid body that has all its nodes.
     pub body: Option<usize>,
     /// Places of its elements in the draft.
@@ -97,6 +95,23 @@ impl Skin {
         found.into_iter().enumerate().filter(|(_, own)| !own.is_empty()).collect()
     }
 
+    /// How far apart the neighbouring nodes of a patch stand: the middle one of their distances [L],
+    /// which a few long faces do not change. Nodes carry contact, so that middle nodes count.
+    pub fn spacing(&self, patch: &Patch, draft: &Draft) -> f64 {
+        let place = |node| draft.model.nodes.position(node);
+        let length = |[a, b]: [NodeIndex; 2]| {
+            let (a, b) = (place(a), place(b));
+            (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt()
+        };
+        let of_face = |&face: &usize| stretches(&self.faces[face], draft);
+        let mut lengths: Vec<f64> = patch.iter().flat_map(of_face).map(length).collect();
+        if lengths.is_empty() {
+            return 0.0;
+        }
+        let middle = lengths.len() / 2;
+        *lengths.select_nth_unstable_by(middle, f64::total_cmp).1
+    }
+
     fn name(&mut self, draft: &Draft) {
         let names: Vec<String> = draft.element_sets.names().map(str::to_owned).collect();
         let sets: Vec<(String, BTreeSet<u64>)> = names
@@ -124,15 +139,6 @@ impl Skin {
         for part in &mut self.parts {
             let of = |&element: &usize| stiffness.get(&draft.elements[element].label).copied();
             part.stiffness = part.elements.iter().filter_map(of).fold(0.0, f64::max);
-        }
-        let mut sums = vec![(0.0, 0.0); self.parts.len()];
-        for (face, &part) in self.faces.iter().zip(&self.part_of) {
-            let (sum, count) = &mut sums[part];
-            *sum += edge_length(face, draft);
-            *count += 1.0;
-        }
-        for (part, (sum, count)) in self.parts.iter_mut().zip(sums) {
-            part.size = sum / f64::max(count, 1.0);
         }
     }
 
@@ -174,26 +180,23 @@ fn is_solid(element: usize, draft: &Draft) -> bool {
     }
 }
 
-/// The mean length of the edges of a face [L].
-fn edge_length(face: &SolidFace, draft: &Draft) -> f64 {
-    let corners = match face.nodes.len() {
-        2 | 3 if face_is_edge(face, draft) => 2,
-        3 | 6 => 3,
-        _ => 4,
+/// Stretches between neighbouring nodes along the edges of a face, whose middle nodes come after its
+/// corners, of an edge between its ends.
+fn stretches(face: &SolidFace, draft: &Draft) -> Vec<[NodeIndex; 2]> {
+    let nodes = &face.nodes;
+    if face_is_edge(face, draft) {
+        return nodes.windows(2).map(|ends| [ends[0], ends[1]]).collect();
+    }
+    let corners = if nodes.len().is_multiple_of(3) { 3 } else { 4 }.min(nodes.len());
+    let is_quadratic = nodes.len() >= 2 * corners;
+    let of_edge = |k: usize| {
+        let (from, to) = (nodes[k], nodes[(k + 1) % corners]);
+        match is_quadratic {
+            true => vec![[from, nodes[corners + k]], [nodes[corners + k], to]],
+            false => vec![[from, to]],
+        }
     };
-    let at = |k: usize| draft.model.nodes.position(face.nodes[k % corners]);
-    // an edge with a middle node has it between its ends
-    let ends = |k: usize| match corners {
-        2 => [draft.model.nodes.position(face.nodes[0]), last(face, draft)],
-        _ => [at(k), at(k + 1)],
-    };
-    let count = if corners == 2 { 1 } else { corners };
-    let length = |[a, b]: [[f64; 3]; 2]| (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt();
-    (0..count).map(|k| length(ends(k))).sum::<f64>() / count as f64
-}
-
-fn last(face: &SolidFace, draft: &Draft) -> [f64; 3] {
-    face.nodes.last().map_or([0.0; 3], |&node| draft.model.nodes.position(node))
+    (0..corners).flat_map(of_edge).collect()
 }
 
 fn face_is_edge(face: &SolidFace, draft: &Draft) -> bool {
@@ -203,13 +206,14 @@ fn face_is_edge(face: &SolidFace, draft: &Draft) -> bool {
     }
 }
 
-/// For each element the first one of those that it is joined with through nodes.
+/// For each element the first one of those that it is joined with through nodes, of what has been
+/// cut by a pre-tension section through those before the cut.
 fn joined(elements: &[usize], draft: &Draft) -> Vec<usize> {
     let mut parent: Vec<usize> = (0..elements.len()).collect();
     let mut first: HashMap<u64, usize> = HashMap::new();
     for (place, &element) in elements.iter().enumerate() {
         for &node in draft.elements[element].nodes() {
-            let other = *first.entry(node).or_insert(place);
+            let other = *first.entry(draft.uncut(node)).or_insert(place);
             let (a, b) = (root(&mut parent, place), root(&mut parent, other));
             parent[a.max(b)] = a.min(b);
         }

@@ -27,6 +27,7 @@ mod pressed_on_planes;
 mod profiles;
 mod rigid_meshes;
 mod ring_contact;
+mod roles_of_general_contact;
 mod rough_slaves;
 mod self_contact;
 mod self_contact_in_space;

@@ -187,3 +187,25 @@ fn a_bolt_is_drawn_together() {
         near(kept.motion(100)[0], 12.0 * 20.0 / 6000.0);
     }
 }
+
+/// Requirement: the sides of a cut are one part and the cut is within it: neither general contact
+/// nor a surface that stands for the outside makes contact of the one side with the other, which
+/// move into one another as the bolt is drawn together.
+#[test]
+fn sides_of_a_cut_do_not_touch() {
+    let parts = "*NODE\n21, 0., 9.\n22, 10., 9.\n31, 0., 11.\n32, 10., 11.\n*ELEMENT, TYPE=CPS4, \
+        ELSET=E\n1, 1, 2, 12, 11\n2, 2, 3, 13, 12\n*ELEMENT, TYPE=CPS4, ELSET=OTHER\n\
+        3, 21, 22, 32, 31\n*SOLID SECTION, ELSET=E, MATERIAL=M\n3.\n*SOLID SECTION, ELSET=OTHER, \
+        MATERIAL=M\n3.\n*SURFACE, NAME=CUT\n1, S2\n*SURFACE, NAME=OUTSIDE\nE,\n";
+    let held = "1, 1, 2\n11, 1\n3, 1\n13, 1\n21, 1, 2\n22, 1, 2\n";
+    let general = "*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n";
+    let itself = "*SURFACE INTERACTION, NAME=I\n*CONTACT PAIR, INTERACTION=I\nOUTSIDE\n";
+    for contact in [general, itself] {
+        let parts = format!("{parts}{contact}");
+        let step = "*STEP\n*STATIC\n1., 1.\n*CLOAD\n100, 1, 12.\n*END STEP\n";
+        let end = bolt(&parts, held, "SURFACE=CUT", step);
+        let pull = end.reaction(3)[0] + end.0[&13][2][0];
+        assert!((pull - 12.0).abs() < 1e-9 * 12.0, "{contact}: {pull}");
+        assert!((end.motion(100)[0] - 12.0 * 20.0 / 6000.0).abs() < 1e-12, "{contact}");
+    }
+}
