@@ -49,7 +49,13 @@ impl Alone {
     }
 
     /// Makes a pair of every part that meets itself, with the interaction of the last line that fits.
-    pub fn pair(self, general: &GeneralContact, made: &mut Made<'_>, skin: &Skin, draft: &mut Draft) {
+    pub fn pair(
+        self,
+        general: &GeneralContact,
+        made: &mut Made<'_>,
+        skin: &Skin,
+        draft: &mut Draft,
+    ) {
         for (number, patch) in self.0.into_iter().filter(|(_, own)| can_meet(own, skin)) {
             if let Some(why) = hindrance(&patch, skin, draft) {
                 let name = &skin.parts[number].name;

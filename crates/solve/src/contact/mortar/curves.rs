@@ -22,6 +22,10 @@ pub struct MasterCurve {
 
 /// Largest angle of a part of an arc [rad].
 const ANGLE: f64 = std::f64::consts::FRAC_PI_6;
+/// Part of that angle by which parts may be larger [1]: arcs are mostly quarters and halves of a
+/// circle, and the last digits of a deck, as of one that was turned, must not say into how many
+/// parts they are cut.
+const SLACK: f64 = 0.01;
 
 /// The curves of a master, in the order of travel.
 pub fn curves(master: &MasterSurface, into: &mut Vec<MasterCurve>) {
@@ -61,7 +65,7 @@ fn of_segment(segment: &RigidSegment, into: &mut Vec<MasterCurve>) {
             into.push(MasterCurve { controls, count: 3, weight: 1.0 });
         }
         RigidSegment::Arc { centre, sweep, .. } => {
-            let parts = (sweep / ANGLE).ceil().max(1.0);
+            let parts = (sweep / ANGLE - SLACK).ceil().max(1.0);
             let weight = (0.5 * sweep / parts).cos();
             for part in 0..parts as usize {
                 let at = |by: f64| segment.place((part as f64 + by) / parts);
@@ -71,6 +75,28 @@ fn of_segment(segment: &RigidSegment, into: &mut Vec<MasterCurve>) {
                 let controls = [at(0.0), meet, at(1.0)].map(raised);
                 into.push(MasterCurve { controls, count: 3, weight });
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Requirement: a quarter of a circle is cut in three, also where its ends are rounded, as in a
+    /// deck that was turned.
+    #[test]
+    fn rounding_does_not_say_into_how_many_parts_an_arc_is_cut() {
+        for angle in [0.0_f64, 0.3, 0.5, 1.0, 2.0, 3.0] {
+            let at = |turn: f64| {
+                let digits = |x: f64| (x * 1e5).round() / 1e5;
+                [digits((angle + turn).cos()), digits((angle + turn).sin())]
+            };
+            let quarter = [at(0.0), at(std::f64::consts::FRAC_PI_2)];
+            let arc = RigidSegment::arc(quarter[0], quarter[1], [0.0, 0.0]);
+            let mut curves = Vec::new();
+            arc.iter().for_each(|arc| of_segment(arc, &mut curves));
+            assert_eq!(curves.len(), 3, "{angle}");
         }
     }
 }

@@ -104,7 +104,12 @@ impl Cover {
             let curve = &face.curves[span.curve];
             let Some(eta) = curve.crossed(at, normal) else { continue };
             let there = curve.shapes(eta);
-            let gap = dot(sub(curve.blend(&there.value), at), normal);
+            let place = curve.blend(&there.value);
+            // behind the focus of the normals the face does not look along them
+            if across(&slave, ends, place, middle).1 >= 0.0 {
+                continue;
+            }
+            let gap = dot(sub(place, at), normal);
             if nearest.is_none_or(|(known, ..)| gap.abs() < known.abs()) {
                 let along = curve.blend(&there.slope);
                 let size = (dot(along, along) * dot(normal, normal)).sqrt();

@@ -418,6 +418,22 @@ fn only_what_faces_the_slave_counts() {
     assert_eq!(step[0].bounds[0], Bound::End(0));
 }
 
+/// Requirement: a round face meets nothing behind the place where its normals cross: a surface there,
+/// wider than all its normals, has not been entered through the face.
+#[test]
+fn nothing_is_faced_behind_the_focus() {
+    let controls = [[1.0, 0.0, 0.0], [0.5, 0.5, 0.0], [0.0, 0.0, 0.0]];
+    let reference = Reference::new(&controls, Across::Width(1.0));
+    let places = FacePlaces::new(None, &controls, None);
+    let covered = |y: f64| {
+        let curves = [Curve::new(&[[5.0, y, 0.0], [-5.0, y, 0.0]], 1.0)];
+        let face = MortarFace { reference: &reference, places: &places, curves: &curves };
+        Cover::default().find(&face).len()
+    };
+    // the normals at both ends cross at y = -0.5
+    assert_eq!([1.0, 0.1, -0.2, -2.0].map(covered), [1, 1, 1, 0]);
+}
+
 /// Requirement: forces do not jump where the end of one curve and the beginning of the next pass a
 /// node between two faces.
 #[test]
