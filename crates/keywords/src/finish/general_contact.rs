@@ -10,8 +10,8 @@
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::Formulation;
 
-use super::faces::faces;
 use super::loops::outlines;
+use super::meetings::{Meeting, Side, cut, outside, part, sides};
 use super::own_contact::Alone;
 use super::skin::{Patch, Skin};
 use crate::draft::Draft;
@@ -30,18 +30,6 @@ const SAME: f64 = 1e-6;
 const EXTENSION: f64 = 0.1;
 /// `SMOOTH` of the pairs likewise [1].
 const SMOOTH: f64 = 0.2;
-
-/// One side of a meeting.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Side {
-    /// Faces of one part.
-    Faces(Patch),
-    /// An analytical surface.
-    Analytical(String),
-}
-
-/// Two sides that may touch.
-type Meeting = [Side; 2];
 
 /// Makes pairs of general contact.
 pub(super) fn pairings(draft: &mut Draft) {
@@ -67,7 +55,9 @@ pub(super) fn pairings(draft: &mut Draft) {
         let adjust = data.and_then(|named| initialization(&named, draft));
         made.pair((interaction, adjust), meeting, &skin, draft);
     }
-    alone.pair(&general, &mut made, &skin, draft);
+    for (interaction, patch) in alone.patches(&general, &skin, draft) {
+        made.own_pair(interaction, Side::Faces(patch), &skin, draft);
+    }
     if made.count == 0 {
         let message = "this general contact has nothing that could touch";
         let warning = Diagnostic::warning(Code("SL0394"), message).at(general.origin);
@@ -75,35 +65,6 @@ pub(super) fn pairings(draft: &mut Draft) {
                     INCLUSIONS names which, ALL EXTERIOR takes all";
         draft.consequence(Subject::Contact, warning.help(help));
     }
-}
-
-/// The sides that a name, or no name, stands for: faces part by part, or analytical surfaces.
-fn side(named: Option<&Named>, skin: &Skin, draft: &mut Draft) -> Option<Vec<Side>> {
-    let by_parts = |patch: &Patch| {
-        skin.by_parts(patch).into_iter().map(|(_, own)| Side::Faces(own)).collect::<Vec<_>>()
-    };
-    let Some(named) = named else {
-        let owned = draft.bodies.iter().filter_map(|body| body.surface.as_ref());
-        let rigid = owned.map(|surface| Side::Analytical(surface.name.clone()));
-        return Some(by_parts(&skin.whole()).into_iter().chain(rigid).collect());
-    };
-    let surface = draft.surface(named)?;
-    if surface.extent.is_analytical() {
-        return Some(vec![Side::Analytical(named.name.clone())]);
-    }
-    let found = faces(&surface, named.span, draft);
-    Some(by_parts(&skin.patch(&found)))
-}
-
-/// All meetings of the sides of two names, each in one order.
-pub(super) fn sides(two: &Two, skin: &Skin, draft: &mut Draft) -> Option<Vec<Meeting>> {
-    let first = side(two.first.as_ref(), skin, draft)?;
-    let second = match two.is_alone() {
-        true => first.clone(),
-        false => side(two.second.as_ref(), skin, draft)?,
-    };
-    let pairs = first.iter().flat_map(|a| second.iter().map(|b| [a.clone(), b.clone()]));
-    Some(pairs.collect())
 }
 
 /// Meetings of an inclusion between parts; what would meet itself is collected.
@@ -120,10 +81,6 @@ fn include(two: &Two, skin: &Skin, alone: &mut Alone, draft: &mut Draft) -> Vec<
         }
     }
     kept
-}
-
-pub(super) fn part(patch: &Patch, skin: &Skin) -> Option<usize> {
-    patch.first().map(|&face| skin.part_of[face])
 }
 
 /// Whether both parts are rigid: nothing can give way.
@@ -145,40 +102,6 @@ fn elsewhere(draft: &Draft) -> Vec<Two> {
         .filter(|(slave, master)| of_faces(slave) && of_faces(master))
         .map(|(slave, master)| Two { first: Some(slave.clone()), second: Some(master.clone()) })
         .collect()
-}
-
-/// What two sides have in common, and what of the first is not in the second.
-fn split(own: &Side, by: &Side) -> (Option<Side>, Option<Side>) {
-    match (own, by) {
-        (Side::Faces(own), Side::Faces(by)) => {
-            let some = |patch: Patch| (!patch.is_empty()).then_some(Side::Faces(patch));
-            let inside = own.intersection(by).copied().collect();
-            (some(inside), some(own.difference(by).copied().collect()))
-        }
-        (own, by) if own == by => (Some(own.clone()), None),
-        (own, _) => (None, Some(own.clone())),
-    }
-}
-
-/// What of a meeting is in another one, in its order, and what is not.
-fn cut(meeting: &Meeting, by: &Meeting) -> (Option<Meeting>, Vec<Meeting>) {
-    let (first, first_left) = split(&meeting[0], &by[0]);
-    let (second, second_left) = split(&meeting[1], &by[1]);
-    let (Some(first), Some(second)) = (first, second) else {
-        return (None, vec![meeting.clone()]);
-    };
-    let mut left = Vec::new();
-    left.extend(first_left.map(|other| [other, meeting[1].clone()]));
-    left.extend(second_left.map(|other| [first.clone(), other]));
-    (Some([first, second]), left)
-}
-
-/// What of meetings is not in another one, in either order.
-fn outside(meetings: Vec<Meeting>, by: &Meeting) -> Vec<Meeting> {
-    let turned = [by[1].clone(), by[0].clone()];
-    let left = meetings.iter().flat_map(|meeting| cut(meeting, by).1);
-    let left: Vec<Meeting> = left.collect();
-    left.iter().flat_map(|meeting| cut(meeting, &turned).1).collect()
 }
 
 /// A meeting with the names that the last lines that fit give it: interaction and initialization;
@@ -249,7 +172,7 @@ fn initialization(named: &Named, draft: &mut Draft) -> Option<(Adjusted, Span)> 
 }
 
 /// The surfaces and pairs that are made.
-pub(super) struct Made<'a> {
+struct Made<'a> {
     general: &'a GeneralContact,
     names: Vec<(Side, String)>,
     count: usize,
@@ -286,13 +209,7 @@ impl Made<'_> {
     }
 
     /// Makes the pair of a part that meets itself.
-    pub fn own_pair(
-        &mut self,
-        interaction: Option<Named>,
-        side: Side,
-        skin: &Skin,
-        draft: &mut Draft,
-    ) {
+    fn own_pair(&mut self, interaction: Option<Named>, side: Side, skin: &Skin, draft: &mut Draft) {
         let interaction = interaction.unwrap_or_else(|| self.plain(draft));
         let own = self.surface(side, skin, draft);
         let own = self.pairing((own.clone(), own), (interaction, None), draft);

@@ -33,6 +33,7 @@ mod lookup;
 mod loops;
 mod master_chain;
 mod materials;
+mod meetings;
 mod middle_nodes;
 mod model_changes;
 mod nodes;

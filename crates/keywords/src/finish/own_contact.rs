@@ -12,7 +12,7 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 use slideline_diag::{Code, Diagnostic};
 use slideline_model::{ElementBlock, NodeIndex, Section};
 
-use super::general_contact::{Made, Side, part, sides};
+use super::meetings::{Side, part, sides};
 use super::skin::{Patch, Skin};
 use crate::draft::Draft;
 use crate::surfaces::{GeneralContact, Named, Two};
@@ -48,14 +48,14 @@ impl Alone {
         }
     }
 
-    /// Makes a pair of every part that meets itself, with the interaction of the last line that fits.
-    pub fn pair(
+    /// What meets itself in the end, with the interaction of the last line that fits.
+    pub fn patches(
         self,
         general: &GeneralContact,
-        made: &mut Made<'_>,
         skin: &Skin,
         draft: &mut Draft,
-    ) {
+    ) -> Vec<(Option<Named>, Patch)> {
+        let mut found = Vec::new();
         for (number, patch) in self.0.into_iter().filter(|(_, own)| can_meet(own, skin)) {
             if let Some(why) = hindrance(&patch, skin, draft) {
                 let name = &skin.parts[number].name;
@@ -65,9 +65,9 @@ impl Alone {
                 draft.log.push(Diagnostic::note(Code("SL0393"), message).at(general.origin));
                 continue;
             }
-            let interaction = interaction(&general.properties, &patch, skin, draft);
-            made.own_pair(interaction, Side::Faces(patch), skin, draft);
+            found.push((interaction(&general.properties, &patch, skin, draft), patch));
         }
+        found
     }
 }
 
