@@ -26,6 +26,8 @@ const ROUNDS: usize = 8;
 const STEPS: usize = 60;
 /// Halvings that find the end of a step.
 const HALVINGS: usize = 40;
+/// Residual, relative to the multipliers, at which a step that does not halve it is rounding [1].
+const ROUNDED: f64 = 1e-6;
 /// Change of all pressures, relative to the largest, that ends the rounds [1].
 const STEADY: f64 = 1e-6;
 
@@ -37,6 +39,7 @@ impl LinearisedContact {
         let mut held = std::mem::take(&mut work.held);
         held.copy_from(points);
         let fixed = LawContext { symmetrised: true, ..*context };
+        work.steps = 0;
         for _ in 0..ROUNDS {
             self.descend(&held, &fixed, &mut work);
             if self.follow_pressures(&mut held, &fixed, &mut work.values) {
@@ -56,11 +59,18 @@ impl LinearisedContact {
             compliance: &self.compliance,
             integration_points: &self.integration_points,
         };
+        let mut before = f64::INFINITY;
         for _ in 0..STEPS {
             let size = work.evaluate(&system, &unknown, points, fixed);
-            if !size.is_finite() || size <= 1e-24 * system.largest_multiplier(&unknown) {
+            let largest = system.largest_multiplier(&unknown);
+            // with many rows rounding leaves more than the least that is asked for, and all
+            // further steps would go into it
+            let rounded = size <= ROUNDED * ROUNDED * largest && size > 0.25 * before;
+            if !size.is_finite() || size <= 1e-24 * largest || rounded {
                 break;
             }
+            before = size;
+            work.steps += 1;
             work.find_step(&system);
             work.from.clone_from(&unknown);
             if work.slope() <= 0.0 {
@@ -80,7 +90,7 @@ impl LinearisedContact {
                 for ((q, start), step) in unknown.iter_mut().zip(&work.from).zip(&work.step) {
                     *q = start - at * step;
                 }
-                work.evaluate(&system, &unknown, points, fixed);
+                work.settle(&system, &unknown, points, fixed);
                 let slope = work.slope();
                 if slope >= 0.0 && at == 1.0 {
                     break; // still downhill at its end

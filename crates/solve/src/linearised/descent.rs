@@ -31,6 +31,8 @@ pub(super) struct Descent {
     pub(super) values: Vec<f64>,
     /// Whether slopes are those of stick, sliding or not.
     pub(super) steepest: bool,
+    /// Steps of the last descent, over all rounds.
+    pub(super) steps: usize,
 }
 
 impl Descent {
@@ -59,6 +61,30 @@ impl Descent {
         points: &LinearPoints,
         fixed: &LawContext<'_>,
     ) -> f64 {
+        self.residual_at(system, (unknown, true), points, fixed);
+        let squares = self.residual.iter().zip(system.rows).map(|(f, row)| f * f * row.weight);
+        squares.sum()
+    }
+
+    /// F alone, which is all that the slope along a known step asks for.
+    pub(super) fn settle(
+        &mut self,
+        system: &System<'_>,
+        unknown: &[f64],
+        points: &LinearPoints,
+        fixed: &LawContext<'_>,
+    ) {
+        self.residual_at(system, (unknown, false), points, fixed);
+    }
+
+    /// F, and its derivatives where they are `wanted`.
+    fn residual_at(
+        &mut self,
+        system: &System<'_>,
+        (unknown, wanted): (&[f64], bool),
+        points: &LinearPoints,
+        fixed: &LawContext<'_>,
+    ) {
         for (i, value) in self.values.iter_mut().enumerate() {
             *value = system.multiplier_and_value(i, unknown).1;
         }
@@ -70,11 +96,11 @@ impl Descent {
         for i in 0..system.rows.len() {
             fixed.insert(system.rows, i, points, (&self.values, self.steepest), |i, slopes| {
                 self.residual[i] = system.multiplier_and_value(i, unknown).0 - slopes.value;
-                system.differentiate(i, &slopes, &mut self.jacobian);
+                if wanted {
+                    system.differentiate(i, &slopes, &mut self.jacobian);
+                }
             });
         }
-        let squares = self.residual.iter().zip(system.rows).map(|(f, row)| f * f * row.weight);
-        squares.sum()
     }
 
     /// The step, J step = F, and what the energy says of it.
