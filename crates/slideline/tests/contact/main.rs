@@ -13,6 +13,7 @@ mod crosspoints;
 mod decaying_friction;
 mod field;
 mod flush_blocks;
+mod grazing;
 mod interference;
 mod mortar;
 mod mortar_decks;

@@ -47,7 +47,7 @@ impl Scratch {
         for (place, point) in committed.points.iter().enumerate() {
             self.pressures[place] = point.pressure;
             self.tractions[place] = point.traction;
-            self.was_closed[place] = point.closed;
+            self.pressed[place] = point.closed.then_some(point.area * point.pressure);
             self.standing[place] = point.footing.map(|footing| footing.place.face);
         }
         self.hold_multipliers(plan);

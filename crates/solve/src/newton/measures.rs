@@ -44,7 +44,8 @@ impl Scratch {
         let flux = [self.evaluation.flux.mean_force(), self.evaluation.flux.mean_moment()];
         let controls = &plan.step.controls.field;
         let averages = [0, 1].map(|field| committed.flux[field].with(flux[field], controls));
-        self.note_changes(plan, controls.r_n * averages[0], &mut report);
+        let floors = self.floors(plan, committed);
+        self.note_changes(plan, floors[0].max(controls.r_n * averages[0]), &mut report);
         self.iteration_history.note(&self.evaluation.points);
         if report.severe {
             progress.severe += 1;
@@ -57,7 +58,6 @@ impl Scratch {
         }
         report.iteration = (progress.severe + progress.equilibrium) as usize;
         report.equilibrium = progress.equilibrium as usize;
-        let floors = self.floors(plan, committed);
         let late = plan.step.controls.effective_time().i_p;
         for field in [0, 1] {
             let measures = Measures {
@@ -157,8 +157,9 @@ impl Scratch {
         largest
     }
 
-    /// Notes points whose contact changed since the last iteration by more
-    /// than the residual tolerance: below it a change is no discontinuity.
+    /// Notes points whose contact changed since the last iteration. A change is a discontinuity where
+    /// what the point presses with, or has pressed with before it opened, is more than `negligible`
+    /// [F]: surfaces that only just touch open and close by rounding alone.
     pub(super) fn note_changes(
         &mut self,
         plan: &Problem<'_>,
@@ -166,7 +167,9 @@ impl Scratch {
         report: &mut IterationReport,
     ) {
         for (place, point) in self.evaluation.points.iter().enumerate() {
-            if point.closed == self.was_closed[place]
+            let now = point.closed.then_some(point.area * point.pressure);
+            let before = std::mem::replace(&mut self.pressed[place], now);
+            if now.is_some() == before.is_some()
                 || plan.contact.points[place].is_integration_point()
             {
                 continue;
@@ -177,8 +180,7 @@ impl Scratch {
                 node: own.node,
                 closed: point.closed,
             });
-            report.severe |= !point.closed || point.area * point.pressure > negligible;
-            self.was_closed[place] = point.closed;
+            report.severe |= now.or(before).is_some_and(|force| force.abs() > negligible);
         }
     }
 

@@ -111,7 +111,8 @@ pub struct Scratch {
     pub(super) geometry: GeometryScratch,
     pub(super) sweep: SweepScratch,
     pub(super) dashpots: Dashpots,
-    pub(super) was_closed: Vec<bool>,
+    /// What closed points pressed with at the last iteration, at the start the last commit [F].
+    pub(super) pressed: Vec<Option<f64>>,
     /// Most negative pivots of a symmetric factorisation in this attempt:
     /// directions in which the structure gives way.
     pub negative_pivots: usize,
@@ -247,8 +248,8 @@ impl Scratch {
         self.points.clear(plan.contact.directions);
         self.points.reserve(points, ROWS);
         self.contact.reserve(points, equations);
-        self.was_closed.clear();
-        self.was_closed.resize(points, false);
+        self.pressed.clear();
+        self.pressed.resize(points, None);
         self.opened.clear();
         self.opened.resize(plan.contact.slave_nodes.len(), false);
         self.iteration_history.fit(points);
