@@ -10,6 +10,7 @@ mod couplings;
 mod creep_and_relaxation;
 mod exactly;
 mod fibres;
+mod free_blocks;
 mod hardening;
 mod heat;
 mod heated_lines;

@@ -27,7 +27,7 @@ const STEPS: usize = 60;
 /// Halvings that find the end of a step.
 const HALVINGS: usize = 40;
 /// Residual, relative to the multipliers, at which a step that does not halve it is rounding [1].
-const ROUNDED: f64 = 1e-6;
+const ROUNDED: f64 = 1e-8;
 /// Change of all pressures, relative to the largest, that ends the rounds [1].
 const STEADY: f64 = 1e-6;
 

@@ -39,6 +39,7 @@ impl Scratch {
         self.dt = target.dt;
         self.negative_pivots = 0;
         self.factored = false;
+        self.thrown = false;
         let times = (target.step_time, target.dt);
         stabilise::fill(plan, committed, times, &mut self.dashpots);
         self.u.copy_from_slice(&committed.displacement);

@@ -12,6 +12,10 @@ use slideline_mech::contact::enforcement::Enforcement;
 /// The most points whose contact is solved with its matrix where the other way is
 /// lost: the cost grows with their cube.
 const MOST_DENSE: usize = 1000;
+/// Sizes of the model by which a correction may move a node [1]. One that moves it further answers
+/// nothing: it goes along a motion that nothing holds, where rounding has left a pivot, or where contact
+/// that was thought to hold turned out to be open.
+const FAR: f64 = 10.0;
 
 impl Scratch {
     /// The correction that the factored tangent and contact, solved exactly,
@@ -91,11 +95,13 @@ impl Scratch {
     ) -> Result<(), SolveError> {
         self.stand();
         self.linear_step(plan, committed, dt)?;
+        self.stay_near(plan)?;
         if !self.outside() && !self.leaves_idle(plan) {
             // what was left alone may touch within this step
             self.evaluation.look.forget();
             self.evaluate(plan, committed, dt);
             self.linear_step(plan, committed, dt)?;
+            self.stay_near(plan)?;
         }
         if self.outside() {
             return Ok(());
@@ -108,6 +114,28 @@ impl Scratch {
             self.evaluate(plan, committed, dt);
         }
         Ok(())
+    }
+
+    /// Takes a system of parts in contact whose correction throws a node far out of the model for
+    /// singular; the correction is the motion that nothing holds.
+    fn stay_near(&mut self, plan: &Problem<'_>) -> Result<(), SolveError> {
+        if self.outside() || plan.contact.points.is_empty() {
+            return Ok(());
+        }
+        let far = FAR * plan.reach;
+        let size = |&equation: &usize| self.correction[equation].abs();
+        let moves = |equation: &usize| {
+            !plan.dofs.name(plan.constraints.dof_of_equation[*equation]).1.is_rotation()
+        };
+        let beyond = (0..self.correction.len()).filter(|e| size(e) > far).filter(moves);
+        let Some(equation) = beyond.max_by(|a, b| size(a).total_cmp(&size(b))) else {
+            return Ok(());
+        };
+        self.thrown = size(&equation).is_finite();
+        match self.thrown {
+            true => Err(SolveError::Singular { equation, ratio: plan.reach / size(&equation) }),
+            false => Ok(()),
+        }
     }
 
     /// Lets the faces on which points stand hold them in this iteration.

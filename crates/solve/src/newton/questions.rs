@@ -102,8 +102,12 @@ impl Scratch {
 
     /// What moves without resistance under the tangent that was assembled
     /// last: its null vector, by inverse iteration from an equation without
-    /// pivot.
+    /// pivot; the last correction, if that went along one.
     pub fn null_mode(&self, plan: &Problem<'_>, equation: usize) -> Option<Vec<f64>> {
+        if self.thrown {
+            let size = self.correction.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
+            return Some(self.correction.iter().map(|value| value / size).collect());
+        }
         let kept = [&self.augmented, &self.values, &self.evaluation.tangent];
         let mut values = kept.into_iter().find(|values| !values.is_empty())?.clone();
         let unit = |e: usize| plan.units[e];

@@ -116,6 +116,8 @@ pub struct Scratch {
     /// Most negative pivots of a symmetric factorisation in this attempt:
     /// directions in which the structure gives way.
     pub negative_pivots: usize,
+    /// Whether the last correction went along a motion that nothing holds.
+    pub(super) thrown: bool,
     /// Whether the factors at hand are of an iteration of this attempt.
     pub(super) factored: bool,
     /// What the iterations of this attempt showed of every contact point.
