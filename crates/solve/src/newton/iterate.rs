@@ -15,7 +15,7 @@ const MOST_DENSE: usize = 1000;
 /// Sizes of the model by which a correction may move a node [1]. One that moves it further answers
 /// nothing: it goes along a motion that nothing holds, where rounding has left a pivot, or where contact
 /// that was thought to hold turned out to be open.
-const FAR: f64 = 10.0;
+const FAR: f64 = 1e2;
 
 impl Scratch {
     /// The correction that the factored tangent and contact, solved exactly,
