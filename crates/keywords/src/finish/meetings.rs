@@ -40,13 +40,19 @@ fn side(named: Option<&Named>, skin: &Skin, draft: &mut Draft) -> Option<Vec<Sid
     Some(by_parts(&skin.patch(&found)))
 }
 
-/// All meetings of the sides of two names, each in one order.
-pub(super) fn sides(two: &Two, skin: &Skin, draft: &mut Draft) -> Option<Vec<Meeting>> {
+/// The sides of two names.
+pub(super) fn both(two: &Two, skin: &Skin, draft: &mut Draft) -> Option<[Vec<Side>; 2]> {
     let first = side(two.first.as_ref(), skin, draft)?;
     let second = match two.is_alone() {
         true => first.clone(),
         false => side(two.second.as_ref(), skin, draft)?,
     };
+    Some([first, second])
+}
+
+/// All meetings of the sides of two names, each in one order.
+pub(super) fn sides(two: &Two, skin: &Skin, draft: &mut Draft) -> Option<Vec<Meeting>> {
+    let [first, second] = both(two, skin, draft)?;
     let pairs = first.iter().flat_map(|a| second.iter().map(|b| [a.clone(), b.clone()]));
     Some(pairs.collect())
 }

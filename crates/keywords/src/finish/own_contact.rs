@@ -12,10 +12,10 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 use slideline_diag::{Code, Diagnostic};
 use slideline_model::{ElementBlock, NodeIndex, Section};
 
-use super::meetings::{Side, part, sides};
+use super::meetings::{Side, both, part};
 use super::skin::{Patch, Skin};
 use crate::draft::Draft;
-use crate::surfaces::{GeneralContact, Named, Two};
+use crate::surfaces::{GeneralContact, Named};
 
 /// What of parts meets itself, part by part.
 #[derive(Default)]
@@ -48,13 +48,16 @@ impl Alone {
         }
     }
 
-    /// What meets itself in the end, with the interaction of the last line that fits.
+    /// What meets itself in the end, with the interaction of the last line both of whose sides have some of it.
     pub fn patches(
         self,
         general: &GeneralContact,
         skin: &Skin,
         draft: &mut Draft,
     ) -> Vec<(Option<Named>, Patch)> {
+        let lines = general.properties.iter().rev();
+        let lines = lines.filter_map(|(two, named)| Some((both(two, skin, draft)?, named)));
+        let lines: Vec<([Vec<Side>; 2], &Named)> = lines.collect();
         let mut found = Vec::new();
         for (number, patch) in self.0.into_iter().filter(|(_, own)| can_meet(own, skin)) {
             if let Some(why) = hindrance(&patch, skin, draft) {
@@ -65,7 +68,8 @@ impl Alone {
                 draft.log.push(Diagnostic::note(Code("SL0393"), message).at(general.origin));
                 continue;
             }
-            found.push((interaction(&general.properties, &patch, skin, draft), patch));
+            let fits = lines.iter().find(|(sides, _)| has_within(sides, &patch));
+            found.push((fits.map(|(_, named)| (*named).clone()), patch));
         }
         found
     }
@@ -120,17 +124,8 @@ fn is_stepped(patch: &Patch, skin: &Skin, draft: &Draft) -> bool {
     !thicknesses.all(|own| Some(own) == first)
 }
 
-/// The interaction of the last line both of whose sides have faces of a patch.
-fn interaction(
-    lines: &[(Two, Named)],
-    patch: &Patch,
-    skin: &Skin,
-    draft: &mut Draft,
-) -> Option<Named> {
+/// Whether both sides of a line have faces of a patch.
+fn has_within(sides: &[Vec<Side>; 2], patch: &Patch) -> bool {
     let has = |side: &Side| matches!(side, Side::Faces(own) if !own.is_disjoint(patch));
-    let fits = |two: &Two, draft: &mut Draft| {
-        let all = sides(two, skin, draft).unwrap_or_default();
-        all.iter().any(|[first, second]| has(first) && has(second))
-    };
-    lines.iter().rev().find(|(two, _)| fits(two, draft)).map(|(_, named)| named.clone())
+    sides.iter().all(|own| own.iter().any(has))
 }

@@ -119,6 +119,7 @@ impl Scratch {
     /// Takes a system of parts in contact whose correction throws a node far out of the model for
     /// singular; the correction is the motion that nothing holds.
     fn stay_near(&mut self, plan: &Problem<'_>) -> Result<(), SolveError> {
+        self.thrown = false;
         if self.outside() || plan.contact.points.is_empty() {
             return Ok(());
         }
@@ -127,15 +128,14 @@ impl Scratch {
         let moves = |equation: &usize| {
             !plan.dofs.name(plan.constraints.dof_of_equation[*equation]).1.is_rotation()
         };
-        let beyond = (0..self.correction.len()).filter(|e| size(e) > far).filter(moves);
+        // no finite number: the system has no answer at all, which is told elsewhere
+        let is_beyond = |equation: &usize| size(equation) > far && size(equation).is_finite();
+        let beyond = (0..self.correction.len()).filter(is_beyond).filter(moves);
         let Some(equation) = beyond.max_by(|a, b| size(a).total_cmp(&size(b))) else {
             return Ok(());
         };
-        self.thrown = size(&equation).is_finite();
-        match self.thrown {
-            true => Err(SolveError::Singular { equation, ratio: plan.reach / size(&equation) }),
-            false => Ok(()),
-        }
+        self.thrown = true;
+        Err(SolveError::Singular { equation, ratio: plan.reach / size(&equation) })
     }
 
     /// Lets the faces on which points stand hold them in this iteration.
