@@ -70,7 +70,6 @@ fn gaps(criterion: &mut Criterion) {
     });
 }
 
-/// One element on its reference cell, bent and stretched a little.
 /// What the nodes of a slab meet whose whole skin meets itself: nothing, which has to be found out.
 fn skin(criterion: &mut Criterion) {
     const CELLS: usize = 60;
@@ -104,6 +103,7 @@ fn skin(criterion: &mut Criterion) {
     });
 }
 
+/// One element on its reference cell, bent and stretched a little.
 fn solid<const D: usize, const N: usize, const P: usize>(
     criterion: &mut Criterion,
     (name, cell, rule): (&str, &'static Cell, &'static Quadrature),
