@@ -45,10 +45,14 @@ pub(crate) fn judge(
         })
         .collect();
     // what does most work is what the part is about
-    let size = |stroke: &Stroke| stroke.work[0].abs() + stroke.work[1].abs();
     strokes.sort_by(|a, b| size(&b.1).total_cmp(&size(&a.1)));
     let verdict = verdict(&measures(summary, energies, strokes.first().map(|(_, own)| own)));
     Judged { verdict, strokes }
+}
+
+/// Work of the driver, both ways counted [F L].
+fn size(stroke: &Stroke) -> f64 {
+    stroke.work[0].abs() + stroke.work[1].abs()
 }
 
 fn measures(summary: &Value, energies: Option<&Energies>, first: Option<&Stroke>) -> RunMeasures {
@@ -58,11 +62,14 @@ fn measures(summary: &Value, energies: Option<&Energies>, first: Option<&Stroke>
     let imbalance = [largest("force_imbalance"), largest("moment_imbalance")];
     let strains = ["fibre_strain", "principal_strain"];
     let strains = strains.iter().filter_map(|key| summary.get(key)?.number("max"));
+    let rounding = summary.number("energy_rounding").unwrap_or_default();
+    // a stroke that works no more than that has forces of rounding, and no peak
+    let first = first.filter(|own| size(own) > rounding);
     let peaks = first.map(|own| [own.push, own.pull]).into_iter().flatten().flatten();
     RunMeasures {
         unfinished: unfinished(summary),
         pair_imbalance: imbalance.into_iter().flatten().reduce(worse),
-        energy: energies.and_then(out_of_balance),
+        energy: energies.and_then(|energies| out_of_balance(energies, rounding)),
         noise: driven(summary)
             .iter()
             .filter_map(|driven| {
@@ -109,8 +116,8 @@ fn said(summary: &Value) -> Vec<String> {
     warnings.chain(advice).map(str::to_owned).collect()
 }
 
-/// Largest `balance` over the largest energy that there was.
-fn out_of_balance(energies: &Energies) -> Option<f64> {
+/// Largest `balance` beyond what is of rounding over the largest energy that there was.
+fn out_of_balance(energies: &Energies, rounding: f64) -> Option<f64> {
     let most = |column: &[f64]| column.iter().map(|value| value.abs()).reduce(worse);
     let balance = energies.column("balance").and_then(most)?;
     // what was dropped is in no balance
@@ -118,7 +125,8 @@ fn out_of_balance(energies: &Energies) -> Option<f64> {
     let others =
         others.filter(|(name, _)| !["balance", "dropped_friction"].contains(&name.as_str()));
     let scale = others.filter_map(|(_, values)| most(values)).fold(0.0, f64::max);
-    (scale > 0.0).then(|| balance / scale)
+    let left = if balance <= rounding { 0.0 } else { balance };
+    (scale > 0.0).then(|| left / scale)
 }
 
 /// What `JOB.json` says, with forces and verdict behind everything else; those
@@ -206,11 +214,15 @@ mod tests {
             ..Energies::default()
         };
         let plain = energies(&[("external_work", -4.0), ("balance", 0.4), ("strain_energy", 1.0)]);
-        assert_eq!(out_of_balance(&plain), Some(0.1));
+        assert_eq!(out_of_balance(&plain, 0.0), Some(0.1));
         let more = energies(&[("external_work", 1.0), ("balance", -0.4), ("released_energy", 8.0)]);
-        assert_eq!(out_of_balance(&more), Some(0.05));
-        assert_eq!(out_of_balance(&energies(&[("external_work", 1.0)])), None);
+        assert_eq!(out_of_balance(&more, 0.0), Some(0.05));
+        assert_eq!(out_of_balance(&energies(&[("external_work", 1.0)]), 0.0), None);
+        assert_eq!(out_of_balance(&plain, 0.5), Some(0.0));
+        let nan = energies(&[("external_work", 1.0), ("balance", f64::NAN)]);
+        assert!(out_of_balance(&nan, 0.5).unwrap().is_nan());
         assert_eq!(colour(&summary(""), Some(&plain)), "amber");
+        assert_eq!(colour(&summary(",\"energy_rounding\":0.5"), Some(&plain)), "green");
         assert_eq!(colour(&summary(""), Some(&more)), "green");
     }
 

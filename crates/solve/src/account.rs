@@ -21,6 +21,9 @@ use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::element::Temperature;
 use slideline_mech::material::Clock;
 
+/// Roundings that energies may be off by [1]. (choice)
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 /// Energies after the increment: work by the trapezoidal rule, dissipation
 /// as the mean of the traction forces at both ends times the slip, eqs (10.1)
 /// to (10.3).
@@ -71,6 +74,13 @@ pub fn account(plan: &Problem<'_>, committed: &State, work: &Scratch, trial: &mu
     if committed.balance_origin.is_none() {
         trial.books.left = from_the_start(plan, committed, trial.books.left);
     }
+}
+
+/// Energy that rounding alone may leave over: the stiffest element rounds as it is moved as far as
+/// the model reaches, docs/theory.md eq. (10.10) [F L].
+pub fn rounding(plan: &Problem<'_>, state: &State) -> f64 {
+    let moved = state.displacement.iter().fold(0.0, |largest: f64, u| largest.max(u.abs()));
+    ROUNDING * plan.structure.stiffest * plan.reach * moved.min(plan.reach)
 }
 
 /// What a change of temperature adds to the energy of the elements, the mean of adding it before

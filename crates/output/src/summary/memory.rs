@@ -47,11 +47,15 @@ pub(crate) struct Memory {
     pub(super) principal: Largest,
     /// Largest nominal strain where a rubber is beyond its stability.
     pub(super) unstable: Largest,
+    /// The most that rounding may have made of energies [F L].
+    pub(super) energy_rounding: f64,
 }
 
 impl Memory {
-    /// Largest strain, its share of the allowable one, stress, largest normal force.
+    /// Largest strain, its share of the allowable one, stress, largest normal force, and what
+    /// rounding may have made of energies.
     pub fn say(&self, object: &mut Value, pairs: &[String]) {
+        object["energy_rounding"] = json!(self.energy_rounding);
         let own = [
             ("mises", self.mises),
             ("plastic_strain", self.plastic),

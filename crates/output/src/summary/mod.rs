@@ -273,6 +273,7 @@ impl<'a> Summary<'a> {
         self.states += usize::from(state_is_due(frame));
         self.dropped_work = frame.energy.dropped_friction;
         let (time, memory) = (frame.total_time, &mut self.memory);
+        memory.energy_rounding = memory.energy_rounding.max(frame.energy_rounding);
         memory.follow_beams(frame, &self.allowable);
         memory.follow_solids(frame);
         memory.follow_turns(frame);

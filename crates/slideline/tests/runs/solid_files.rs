@@ -310,6 +310,47 @@ fn a_driven_set_is_one_motion() {
     assert!(page.contains("\"space\":true"));
 }
 
+/// Requirement: a body that moves as one has energies of rounding, and nothing is said to be out of
+/// balance; nor has a stroke that does no work a peak to doubt. Source: the forces of a rigid turn
+/// are none.
+#[test]
+fn what_rounding_makes_of_energies_is_not_judged() {
+    for (name, stiff) in [("soft", "1.E-3"), ("stiff", "2.E11")] {
+        let deck = TURNED.replace("{E}", stiff);
+        let summary = run(&format!("turned_{name}"), &deck, Dialect::Abaqus)(".json");
+        assert!(summary.contains("\"verdict\":{\"colour\":\"green\""), "{name}: {summary}");
+    }
+}
+
+/// A square whose left side a node carries through a turn.
+const TURNED: &str = "\
+*NODE
+1, 0., 0.
+2, 1., 0.
+3, 1., 1.
+4, 0., 1.
+9, -3., 0.
+*ELEMENT, TYPE=CPE4I, ELSET=E
+1, 1, 2, 3, 4
+*MATERIAL, NAME=M
+*ELASTIC
+{E}, .3
+*SOLID SECTION, ELSET=E, MATERIAL=M
+*NSET, NSET=LEFT
+1, 4
+*SURFACE, NAME=LEFT, TYPE=NODE
+LEFT
+*COUPLING, CONSTRAINT NAME=C, REF NODE=9, SURFACE=LEFT
+*KINEMATIC
+*STEP, NLGEOM
+*STATIC, DIRECT
+.2, 1.
+*BOUNDARY
+9, 1, 2
+9, 6, 6, 1.5
+*END STEP
+";
+
 /// Requirement: the verdict is amber where elements lock, and where something turns far without
 /// NLGEOM; green where nothing does.
 #[test]

@@ -43,6 +43,8 @@ pub struct Frame<'a> {
     pub elements: &'a [BlockResults],
     /// Energies.
     pub energy: Energies,
+    /// What rounding alone may make of energies [F L].
+    pub energy_rounding: f64,
 }
 
 /// The state in which an attempt was given up, for viewing: no equilibrium.

@@ -14,12 +14,12 @@ mod part;
 mod search;
 
 use super::analysis::{Analysis, Left};
+use crate::account::rounding;
 use crate::newton::Scratch;
 use crate::newton::recall_points;
 use crate::observe::Event;
 use crate::problem::Problem;
 use crate::stabilise;
-use crate::state::State;
 use crate::target::Target;
 use search::{NOTABLE, find};
 use slideline_diag::{Code, Diagnostic, Place};
@@ -28,9 +28,6 @@ use slideline_diag::{Code, Diagnostic, Place};
 const SHARP: f64 = 0.02;
 /// Part of the energy turned over that a run may leave unbalanced unsaid.
 const MUCH: f64 = 0.2;
-/// Rounding of energies, in roundings of the stiffest element moved as far
-/// as the model reaches.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 impl Analysis<'_> {
     /// Enters what the increment that was just committed left over into the
@@ -109,10 +106,4 @@ impl Analysis<'_> {
         };
         self.tell(Event::Diagnosed(&said))
     }
-}
-
-/// Energy that rounding alone may leave over [F L].
-fn rounding(plan: &Problem<'_>, state: &State) -> f64 {
-    let moved = state.displacement.iter().fold(0.0, |largest: f64, u| largest.max(u.abs()));
-    ROUNDING * plan.structure.stiffest * plan.reach * moved.min(plan.reach)
 }

@@ -1,5 +1,6 @@
 //! What observers are shown of a state: rows, counts, the frame about them.
 
+use crate::account::rounding;
 use crate::balance::Sum;
 use crate::newton::Outcome;
 use crate::observe::results::{BeamRow, BlockResults, ContactRow, PairRow, SectionRow};
@@ -118,5 +119,6 @@ pub(super) fn frame<'a>(
         beams: &rows.beams,
         elements: &rows.elements,
         energy: state.energy,
+        energy_rounding: rounding(plan, state),
     }
 }
