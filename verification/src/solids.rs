@@ -32,7 +32,7 @@ pub struct Meshed {
     /// Labels of the nodes of every element, corners first; elements are numbered from 1.
     pub elements: Vec<Vec<u64>>,
     /// Corners of every face of an element, as decks number them.
-    faces: Faces,
+    pub faces: Faces,
 }
 
 /// Corners of every face.

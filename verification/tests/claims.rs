@@ -55,6 +55,7 @@ mod solids_necking;
 mod solids_orders;
 mod solids_patch;
 mod solids_ring;
+mod solids_ties;
 mod solids_torsion;
 mod solids_torus;
 mod solids_tubes;
@@ -124,6 +125,7 @@ const CHAPTERS: &[Chapter] = &[
         title: "Solids",
         groups: &[
             solids_patch::GROUP,
+            solids_ties::GROUP,
             solids_orders::GROUP,
             solids_beams::GROUP,
             solids_cook::GROUP,

@@ -202,6 +202,7 @@ catalogue! {
     "SL0426" "a badly distorted solid"
     "SL0427" "a load that acts on nothing"
     "SL0428" "slave nodes farther apart than those of the master"
+    "SL0429" "nodes tied one by one where meshes do not match"
     "SL0501" "no convergence, cause unknown"
     "SL0502" "the limit of increments was reached"
     "SL0503" "a motion without resistance"

@@ -119,6 +119,8 @@ pub(crate) struct Tie {
     pub tolerance: Option<f64>,
     /// Whether slave nodes are moved onto the master.
     pub adjust: bool,
+    /// Whether faces are tied to faces; else each slave node to the place nearest to it.
+    pub by_faces: bool,
     pub origin: Span,
 }
 

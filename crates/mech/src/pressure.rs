@@ -185,6 +185,14 @@ impl Face {
     /// The place nearest to a point, on a face with nodes at `x` [L]: Gauss-Newton steps, each kept
     /// on the face.
     pub fn nearest(&self, x: &[[f64; 3]], point: [f64; 3]) -> Nearest {
+        let here = self.at(self.nearest_place(x, point));
+        let foot = place(&here, x);
+        let distance = (0..3).map(|k| (point[k] - foot[k]).powi(2)).sum::<f64>().sqrt();
+        Nearest { shapes: here.shapes, place: foot, distance }
+    }
+
+    /// Coordinates of the face of the place nearest to a point.
+    pub(crate) fn nearest_place(&self, x: &[[f64; 3]], point: [f64; 3]) -> [f64; 2] {
         let mut at = match self {
             Self::Area(cell, _) if matches!(cell.nodes, 3 | 6) => [1.0 / 3.0; 2],
             _ => [0.0; 2],
@@ -213,10 +221,25 @@ impl Face {
                 break;
             }
         }
-        let here = self.at(at);
-        let foot = place(&here, x);
-        let distance = (0..3).map(|k| (point[k] - foot[k]).powi(2)).sum::<f64>().sqrt();
-        Nearest { shapes: here.shapes, place: foot, distance }
+        at
+    }
+
+    /// Length of an edge by its coordinate, times the thickness or the circle; shape functions and
+    /// place there.
+    pub(crate) fn measured(
+        &self,
+        x: &[[f64; 3]],
+        coordinate: f64,
+    ) -> (f64, [f64; MOST_NODES], [f64; 3]) {
+        let here = self.at([coordinate, 0.0]);
+        let [along, _] = tangents(&here, x);
+        let length = along.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let across = match self {
+            Self::Edge { thickness, .. } => *thickness,
+            Self::Ring { .. } => 2.0 * std::f64::consts::PI * radius(&here, x),
+            Self::Area(..) => 1.0,
+        };
+        (length * across, here.shapes, place(&here, x))
     }
 
     /// Shape functions and slopes at coordinates of the face.

@@ -1,6 +1,7 @@
 //! `*TIE`: surfaces that stick together.
 
 use slideline_deck::normalise;
+use slideline_model::Dialect;
 
 use crate::constraints::Tie as Draught;
 use crate::draft::Draft;
@@ -44,7 +45,11 @@ impl Keyword for Tie {
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
         let kinds = &["SURFACE TO SURFACE", "NODE TO SURFACE"];
-        card.choice("TYPE", kinds, &mut draft.log);
+        let kind = card.choice("TYPE", kinds, &mut draft.log);
+        let by_faces = match kind {
+            Some(kind) => kind == "SURFACE TO SURFACE",
+            None => draft.dialect != Dialect::Calculix,
+        };
         let Some(tolerance) = card.number("POSITION TOLERANCE", &mut draft.log) else { return };
         if tolerance.is_some_and(|tolerance| tolerance < 0.0) {
             let message = "POSITION TOLERANCE is a distance: it must not be negative";
@@ -63,7 +68,8 @@ impl Keyword for Tie {
                 draft.log.error("SL0119", "a tie needs two surfaces: slave, master", line.end());
                 continue;
             };
-            draft.ties.push(Draught { slave, master, tolerance, adjust, origin: line.span });
+            let origin = line.span;
+            draft.ties.push(Draught { slave, master, tolerance, adjust, by_faces, origin });
         }
     }
 }

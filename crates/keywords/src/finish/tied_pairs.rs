@@ -1,7 +1,7 @@
 //! Contact pairs whose surfaces stick together from the start: they are ties.
 
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{Friction, Interaction, NormalLaw};
+use slideline_model::{Formulation, Friction, Interaction, NormalLaw};
 
 use crate::constraints::Tie;
 use crate::draft::Draft;
@@ -54,5 +54,6 @@ pub(super) fn tie(pairing: &Pairing, draft: &mut Draft) {
     }
     let message = format!("{} is tied to {}, as by *TIE", slave.name, master.name);
     draft.log.push(Diagnostic::note(Code("SL0391"), message).at(origin));
-    draft.ties.push(Tie { slave, master, tolerance, adjust, origin });
+    let by_faces = pairing.formulation != Formulation::NodeToSurface;
+    draft.ties.push(Tie { slave, master, tolerance, adjust, by_faces, origin });
 }

@@ -1,22 +1,27 @@
-//! `*TIE`: nodes of the slave surface follow the faces of the master.
+//! `*TIE`: nodes of the slave surface follow the faces of the master, as means over their own faces or
+//! one by one.
 //!
 //! ```text
 //!        s  slave node              u_s = sum N_i(xi) u_i
 //!   o----x-------o  master face     at the place x nearest to it
 //! ```
 
+mod means;
+
 use std::collections::{HashMap, HashSet};
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::element::solid::smallest_jacobian;
 use slideline_mech::pressure::{Face, Nearest};
-use slideline_model::{Dof, Kinematics, NodeIndex};
+use slideline_model::{Dialect, Dof, Kinematics, NodeIndex};
 
 use super::equations::add;
 use super::faces::{faces, nodes_of_surface};
 use crate::constraints::Tie;
 use crate::draft::Draft;
 use crate::rule::Subject;
+use crate::surfaces::{Extent, NamedSurface};
+use means::{Means, Shares, means, misplaced};
 
 /// Fraction of the size of a master face within which slave nodes are tied, where the card gives no
 /// tolerance. [Abaqus manual, `*TIE`]
@@ -24,6 +29,9 @@ const TOLERANCE: f64 = 0.05;
 
 /// The same of what touches: a tolerance of zero ties it, though rounding leaves a distance.
 const TOUCHING: f64 = 1e-6;
+
+/// Part of a pressure that may reach other nodes than it should unsaid [1]. (choice)
+const MISPLACED: f64 = 0.01;
 
 pub(super) fn ties(draft: &mut Draft) {
     let ties = std::mem::take(&mut draft.ties);
@@ -86,6 +94,11 @@ impl Master {
         Self { face, nodes, x, low, high, size }
     }
 
+    /// How far away slave nodes may lie to be tied to it [L].
+    fn reach(&self, tolerance: Option<f64>) -> f64 {
+        tolerance.unwrap_or(TOLERANCE * self.size).max(TOUCHING * self.size)
+    }
+
     /// Distance of a point from the box [L]: no place of a straight face is nearer.
     fn at_least(&self, point: [f64; 3]) -> f64 {
         let beyond = |k: usize| (self.low[k] - point[k]).max(point[k] - self.high[k]).max(0.0);
@@ -122,23 +135,32 @@ fn one(
         return;
     }
     let own: HashSet<NodeIndex> = masters.iter().flat_map(|master| master.nodes.clone()).collect();
-    let mut left = Vec::new();
+    let (mut near, mut left) = (Vec::new(), Vec::new());
     for node in nodes_of_surface(&slave, tie.slave.span, draft) {
         if own.contains(&node) || tied.contains_key(&node) {
             continue;
         }
         let point = draft.model.nodes.get(node).position;
-        let Some((place, near)) = nearest(&masters, point) else { continue };
-        let size = masters[place].size;
-        if near.distance > tie.tolerance.unwrap_or(TOLERANCE * size).max(TOUCHING * size) {
-            left.push(node);
-            continue;
+        let Some((place, found)) = nearest(&masters, point) else { continue };
+        match found.distance > masters[place].reach(tie.tolerance) {
+            true => left.push(node),
+            false => near.push(TiedNode { node, master: place, near: found }),
         }
-        tied.insert(node, tie.adjust.then_some(tie.origin));
-        if tie.adjust {
-            draft.model.nodes.place(node, near.place);
-        }
-        follow(tie, node, (&masters[place], &near), prescribed, draft);
+    }
+    let slaves = slave_faces(tie, &slave, draft);
+    let means = match tie.by_faces {
+        true => of_faces(&slaves, (&masters, tie.tolerance), (&near, prescribed), draft),
+        false => Means::default(),
+    };
+    if !tie.by_faces && !slaves.is_empty() {
+        judge_nodes(tie, &slaves, (&masters, &near), draft);
+    }
+    if tie.adjust {
+        adjust(&near, &means, draft);
+    }
+    for own in &near {
+        tied.insert(own.node, tie.adjust.then_some(tie.origin));
+        follow(tie, own, (&masters, &means), prescribed, draft);
     }
     if let Some(&first) = left.first() {
         let label = draft.model.nodes.label(first);
@@ -177,21 +199,113 @@ fn nearest(masters: &[Master], point: [f64; 3]) -> Option<(usize, Nearest)> {
     best
 }
 
-/// Makes the displacements of a node follow the face. A dof that is prescribed on both sides of the
+/// A slave node that is tied, with the place of the master that is nearest to it.
+struct TiedNode {
+    node: NodeIndex,
+    master: usize,
+    near: Nearest,
+}
+
+/// The faces of solids that a slave surface is made of, by their nodes; none of other surfaces.
+fn slave_faces(tie: &Tie, slave: &NamedSurface, draft: &mut Draft) -> Vec<Vec<NodeIndex>> {
+    if !matches!(slave.extent, Extent::Elements(_)) {
+        return Vec::new();
+    }
+    let found = faces(slave, tie.slave.span, draft);
+    match found.iter().any(|face| face.face.is_none()) {
+        true => Vec::new(), // beams
+        false => found.into_iter().map(|face| face.nodes).collect(),
+    }
+}
+
+/// The rows of nodes that follow means, where faces are tied to faces. What has a support, or its own
+/// axes and a support, follows the nearest place.
+fn of_faces(
+    slaves: &[Vec<NodeIndex>],
+    masters: (&[Master], Option<f64>),
+    (near, prescribed): (&[TiedNode], &HashSet<(NodeIndex, Dof)>),
+    draft: &Draft,
+) -> Means {
+    let held: HashSet<NodeIndex> = prescribed.iter().map(|(node, _)| *node).collect();
+    let tied: HashSet<NodeIndex> = near.iter().map(|own| own.node).collect();
+    let follows = |node: NodeIndex, axis: usize| {
+        let dof = draft.model.directions().get(axis);
+        let held_here = match draft.axes_of(node) {
+            Some(_) => held.contains(&node),
+            None => dof.is_some_and(|&dof| prescribed.contains(&(node, dof))),
+        };
+        tied.contains(&node) && !held_here
+    };
+    means(slaves, masters, follows, draft)
+}
+
+/// Advises where nodes that are tied one by one hand a pressure on to the wrong nodes.
+fn judge_nodes(
+    tie: &Tie,
+    slaves: &[Vec<NodeIndex>],
+    (masters, near): (&[Master], &[TiedNode]),
+    draft: &mut Draft,
+) {
+    let shares = near.iter().map(|own| (own.node, nearest_shares(own, masters)));
+    let off = misplaced(slaves, (masters, tie.tolerance), &shares.collect(), draft);
+    if off <= MISPLACED {
+        return;
+    }
+    let (slave, master) = (&tie.slave.name, &tie.master.name);
+    let message = format!(
+        "the nodes of {slave} are tied one by one to the places of {master} nearest to them: of an \
+         even pressure {:.0} % reaches other nodes of {master} than it should, and stresses at the \
+         tie are off",
+        100.0 * off
+    );
+    let help = match draft.dialect {
+        Dialect::Calculix => {
+            "TYPE=SURFACE TO SURFACE of *TIE ties faces, which does not mind; CalculiX, whose results \
+             these are, does not know it. Or let the meshes match there"
+        }
+        Dialect::Abaqus => "leave out TYPE=NODE TO SURFACE, or let the meshes match there",
+    };
+    draft.log.push(Diagnostic::advice(Code("SL0429"), message).at(tie.origin).help(help));
+}
+
+/// Shares of the master's nodes in the place nearest to a slave node.
+fn nearest_shares(own: &TiedNode, masters: &[Master]) -> Shares {
+    masters[own.master].nodes.iter().copied().zip(own.near.shapes).collect()
+}
+
+/// Moves slave nodes onto the master: to where what they follow is.
+fn adjust(near: &[TiedNode], means: &Means, draft: &mut Draft) {
+    let place = |own: &TiedNode, axis: usize| match means[axis].get(&own.node) {
+        Some(row) => row
+            .iter()
+            .map(|&(node, share)| share * draft.model.nodes.position(node)[axis])
+            .sum::<f64>(),
+        None => own.near.place[axis],
+    };
+    let places = near.iter().map(|own| (own.node, std::array::from_fn(|axis| place(own, axis))));
+    let places: Vec<(NodeIndex, [f64; 3])> = places.collect();
+    places.into_iter().for_each(|(node, place)| draft.model.nodes.place(node, place));
+}
+
+/// Makes the displacements of a node follow a mean or the nearest face. A dof that is prescribed on both sides of the
 /// tie is left to its support.
 fn follow(
     tie: &Tie,
-    node: NodeIndex,
-    (master, near): (&Master, &Nearest),
+    own: &TiedNode,
+    (masters, means): (&[Master], &Means),
     prescribed: &HashSet<(NodeIndex, Dof)>,
     draft: &mut Draft,
 ) {
-    let directions = draft.model.directions().iter().copied();
+    let node = own.node;
+    let directions = draft.model.directions();
+    let nearest = nearest_shares(own, masters);
     let terms = |dof: Dof| -> Vec<_> {
-        let shares = master.nodes.iter().zip(near.shapes).filter(|(_, share)| share.abs() > 1e-12);
-        shares.map(|(&own, share)| (own, dof, share)).collect()
+        let axis = directions.iter().position(|own| *own == dof).unwrap_or_default();
+        let row = means.get(axis).and_then(|means| means.get(&node)).unwrap_or(&nearest);
+        let shares = row.iter().filter(|(_, share)| share.abs() > 1e-12);
+        shares.map(|&(own, share)| (own, dof, share)).collect()
     };
-    for dof in directions.filter(|dof| !dof.is_rotation()) {
+    for &dof in directions.iter().filter(|dof| !dof.is_rotation()) {
         let terms = draft.followed((node, dof), terms);
         let held = |&(own, dof, _): &(NodeIndex, Dof, f64)| prescribed.contains(&(own, dof));
         if prescribed.contains(&(node, dof)) && terms.iter().all(held) {

@@ -26,6 +26,7 @@ mod nose;
 mod stencil;
 mod stretch;
 mod surface;
+mod tied;
 
 pub use body::Body;
 pub use chain::{chain_attachments, chain_gap, chain_overclosure};
@@ -34,6 +35,7 @@ pub use nose::{Nose, Reach};
 pub use stencil::{AnyGap, Derivatives, StencilAttachments};
 pub use stretch::{CarriedStretch, Stretch};
 pub use surface::RigidSurface;
+pub use tied::{TiedFace, TiedRow, own_part, share_of_corner};
 
 /// What the points of a pair obey.
 #[derive(Debug, Clone, PartialEq)]

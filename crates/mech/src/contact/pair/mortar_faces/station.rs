@@ -114,19 +114,33 @@ impl FacePlaces<f64> {
     pub fn corner_areas(&self, measure: &[f64; MOST_NODES]) -> [f64; MOST_CORNERS] {
         let mut areas = [0.0; MOST_CORNERS];
         let count = corners(self.count);
+        self.each_place(measure, |area, here, _| {
+            let own = shapes(count, here).value;
+            areas.iter_mut().zip(own).for_each(|(sum, by)| *sum += by * area);
+        });
+        areas
+    }
+
+    /// Calls with area, coordinates and shape functions of places all over a face, by its undeformed
+    /// area at the nodes [L2].
+    pub(in super::super) fn each_place(
+        &self,
+        measure: &[f64; MOST_NODES],
+        mut call: impl FnMut(f64, [f64; 2], &[f64; MOST_NODES]),
+    ) {
+        let count = corners(self.count);
         for second in 1..count - 1 {
             let at = [0, second, second + 1].map(|k| place_of(count, k));
             let twice = flat_cross(flat_sub(at[1], at[0]), flat_sub(at[2], at[0]));
             for &[b, c, weight] in TWELVE {
                 let here = flat_add(at[0], b, flat_sub(at[1], at[0]));
                 let here = flat_add(here, c, flat_sub(at[2], at[0]));
-                let of_node = measure.iter().zip(self.shapes(here).value);
+                let own = self.shapes(here).value;
+                let of_node = measure.iter().zip(own);
                 let area = weight * twice * of_node.map(|(own, by)| own * by).sum::<f64>();
-                let own = shapes(count, here).value;
-                areas.iter_mut().zip(own).for_each(|(sum, by)| *sum += by * area);
+                call(area, here, &own);
             }
         }
-        areas
     }
 }
 
@@ -307,6 +321,22 @@ impl<R: Real> Couple<'_, R> {
             met: meet(self.master, self.slave.blend(&slave.value), normal)?,
             slave,
         })
+    }
+}
+
+impl Couple<'_, f64> {
+    /// Calls with area, shape functions of the slave, gap and shape functions of the master of places
+    /// over an overlap.
+    pub(in super::super) fn each_meeting(
+        &self,
+        overlap: &Overlap,
+        mut call: impl FnMut(f64, &[f64; MOST_NODES], f64, &[f64; MOST_NODES]),
+    ) {
+        let Some(placed) = self.place(overlap) else { return };
+        self.stations(overlap, &placed, |own| {
+            let area = own.weight * own.twice * own.measure;
+            call(area, &own.slave.value, own.met.gap, &own.met.shapes.value);
+        });
     }
 }
 
