@@ -6,6 +6,7 @@
 //!   o----x-------o  master face     at the place x nearest to it
 //! ```
 
+mod master;
 mod means;
 
 use std::collections::{HashMap, HashSet};
@@ -21,14 +22,8 @@ use crate::constraints::Tie;
 use crate::draft::Draft;
 use crate::rule::Subject;
 use crate::surfaces::{Extent, NamedSurface};
+use master::Master;
 use means::{Means, Shares, means, misplaced};
-
-/// Fraction of the size of a master face within which slave nodes are tied, where the card gives no
-/// tolerance. [Abaqus manual, `*TIE`]
-const TOLERANCE: f64 = 0.05;
-
-/// The same of what touches: a tolerance of zero ties it, though rounding leaves a distance.
-const TOUCHING: f64 = 1e-6;
 
 /// Part of a pressure that may reach other nodes than it should unsaid [1]. (choice)
 const MISPLACED: f64 = 0.01;
@@ -67,42 +62,6 @@ fn moved(tied: &HashMap<NodeIndex, Option<Span>>, draft: &mut Draft) {
         let error = Diagnostic::error(Code("SL0346"), message).at(origin);
         let help = "write ADJUST=NO, a smaller POSITION TOLERANCE, or move the nodes in the mesh";
         draft.consequence(Subject::Links, error.help(help));
-    }
-}
-
-/// A face of the master with its nodes and the box around it [L].
-struct Master {
-    face: Face,
-    nodes: Vec<NodeIndex>,
-    x: Vec<[f64; 3]>,
-    low: [f64; 3],
-    high: [f64; 3],
-    /// Diagonal of the box [L].
-    size: f64,
-}
-
-impl Master {
-    fn new(face: Face, nodes: Vec<NodeIndex>, draft: &Draft) -> Self {
-        let x: Vec<[f64; 3]> =
-            nodes.iter().map(|&node| draft.model.nodes.get(node).position).collect();
-        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-        for k in 0..3 {
-            low[k] = x.iter().fold(low[k], |low, x| low.min(x[k]));
-            high[k] = x.iter().fold(high[k], |high, x| high.max(x[k]));
-        }
-        let size = (0..3).map(|k| (high[k] - low[k]).powi(2)).sum::<f64>().sqrt();
-        Self { face, nodes, x, low, high, size }
-    }
-
-    /// How far away slave nodes may lie to be tied to it [L].
-    fn reach(&self, tolerance: Option<f64>) -> f64 {
-        tolerance.unwrap_or(TOLERANCE * self.size).max(TOUCHING * self.size)
-    }
-
-    /// Distance of a point from the box [L]: no place of a straight face is nearer.
-    fn at_least(&self, point: [f64; 3]) -> f64 {
-        let beyond = |k: usize| (self.low[k] - point[k]).max(point[k] - self.high[k]).max(0.0);
-        (0..3).map(|k| beyond(k).powi(2)).sum::<f64>().sqrt()
     }
 }
 

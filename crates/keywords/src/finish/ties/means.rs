@@ -14,7 +14,7 @@ use slideline_mech::contact::pair::{TiedFace, own_part, share_of_corner};
 use slideline_mech::pressure::{Face, MOST_NODES};
 use slideline_model::NodeIndex;
 
-use super::Master;
+use super::master::Master;
 use crate::draft::Draft;
 
 /// Part of its area that a node must have before the master, to follow a mean [1]. (choice)
@@ -132,16 +132,16 @@ fn faced(master: &Master) -> Faced {
 
 /// The nodes that have enough of their area before the master.
 fn covered(slaves: &[Slave]) -> HashSet<NodeIndex> {
-    let mut areas: HashMap<NodeIndex, [f64; 2]> = HashMap::new();
+    let mut areas: HashMap<NodeIndex, (f64, f64)> = HashMap::new();
     for own in slaves {
         for (place, &node) in own.nodes.iter().enumerate() {
             let [whole, before] = own.tied.areas(place);
             let sum = areas.entry(node).or_default();
-            (sum[0], sum[1]) = (sum[0] + whole, sum[1] + before);
+            *sum = (sum.0 + whole, sum.1 + before);
         }
     }
-    let enough = |own: &(NodeIndex, [f64; 2])| own.1[1] > COVERED * own.1[0];
-    areas.into_iter().filter(enough).map(|(node, _)| node).collect()
+    let enough = areas.into_iter().filter(|(_, (whole, before))| *before > COVERED * whole);
+    enough.map(|(node, _)| node).collect()
 }
 
 /// Corners beside a middle node that follows no mean do not either: what is that node's own is told

@@ -231,7 +231,7 @@ fn inverse(matrix: &[Shapes; MOST_NODES], size: usize) -> Option<[Shapes; MOST_N
     (0..size).for_each(|k| inverse[k][k] = 1.0);
     for k in 0..size {
         let pivot = left[k][k];
-        if !(pivot > LEAST.powi(4) * matrix[k][k]) {
+        if pivot.is_nan() || pivot <= LEAST.powi(4) * matrix[k][k] {
             return None;
         }
         let (own, of_inverse) = (left[k].map(|x| x / pivot), inverse[k].map(|x| x / pivot));

@@ -123,7 +123,7 @@ impl FacePlaces<f64> {
 
     /// Calls with area, coordinates and shape functions of places all over a face, by its undeformed
     /// area at the nodes [L2].
-    pub(in super::super) fn each_place(
+    pub fn each_place(
         &self,
         measure: &[f64; MOST_NODES],
         mut call: impl FnMut(f64, [f64; 2], &[f64; MOST_NODES]),
@@ -327,7 +327,7 @@ impl<R: Real> Couple<'_, R> {
 impl Couple<'_, f64> {
     /// Calls with area, shape functions of the slave, gap and shape functions of the master of places
     /// over an overlap.
-    pub(in super::super) fn each_meeting(
+    pub fn each_meeting(
         &self,
         overlap: &Overlap,
         mut call: impl FnMut(f64, &[f64; MOST_NODES], f64, &[f64; MOST_NODES]),
