@@ -7,6 +7,8 @@ use slideline_diag::{Code, Diagnostic, Place};
 
 /// Least part of an increment that is asked for in its place.
 const LEAST: f64 = 1e-3;
+/// Part of a step below which an increment would have caught what increments catch. (choice)
+const SHORTEST: f64 = 1e-6;
 
 impl Case<'_> {
     /// An equilibrium was found, but a body went through its master on the way,
@@ -84,7 +86,15 @@ impl Case<'_> {
         );
         // one that enters at the beginning of its increment needs some increment still
         let needed = 0.1 * missed.fraction.max(LEAST) * self.dt;
-        let said = Diagnostic::error(Code("SL0519"), message).at(procedure.origin).help(format!(
+        let said = Diagnostic::error(Code("SL0519"), message).at(procedure.origin);
+        if needed < SHORTEST * procedure.period {
+            return said.help(format!(
+                "the results up to that time are kept; shorter increments will not mend it, these are \
+                 short enough. Look at node {node} in the last state: most often a coarse slave comes \
+                 off a sharp edge of its master there. Round that edge, or make the slave finer"
+            ));
+        }
+        let said = said.help(format!(
             "the results up to that time are kept; begin *STATIC with an increment of \
              {needed:.2e} and allow smaller ones"
         ));
