@@ -17,6 +17,7 @@ mod limit_load;
 mod other;
 mod passed;
 mod structure;
+mod valley;
 
 pub use case::{Case, reason};
 pub use contact::slid_off;

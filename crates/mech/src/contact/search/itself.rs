@@ -303,9 +303,13 @@ impl Itself {
         let at = (dot(sub(from, a), edge) / dot(edge, edge)).clamp(0.0, 1.0);
         let way = sub([a[0] + at * edge[0], a[1] + at * edge[1]], from);
         let leaves = |edge: Point| cross(edge, way);
-        let inward = self
-            .beside(seat)
-            .all(|side| leaves(sub(self.reference[side + 1], self.reference[side])) <= 0.0);
+        let edges = self.beside(seat).map(|side| along_of(&self.reference, side));
+        let mut enters = edges.map(|edge| leaves(edge) <= 0.0);
+        // behind a valley is what is behind one of both faces, elsewhere what is behind both
+        let inward = match self.turn(seat) > 0.0 {
+            true => enters.any(|enters| enters),
+            false => enters.all(|enters| enters),
+        };
         let near = size(way) <= INSIDE_OF * own.min(self.thickness[part]) + size(edge);
         near && inward && leaves(edge) > 0.0
     }
@@ -351,12 +355,17 @@ impl Itself {
         sum / f64::from(count)
     }
 
+    /// Whether the surface turns away sharply at a seat: it stands out there.
     fn is_edge(&self, seat: usize) -> bool {
-        let mut sides =
-            self.beside(seat).map(|side| sub(self.reference[side + 1], self.reference[side]));
-        let (Some(before), Some(behind)) = (sides.next(), sides.next()) else { return false };
-        // the outside is on the left of travel: an edge that stands out turns to the right
-        cross(before, behind).atan2(dot(before, behind)) < -SHARP
+        self.turn(seat) < -SHARP
+    }
+
+    /// Angle by which the undeformed surface turns at a seat, to the left, where the outside is: an
+    /// edge that stands out is negative, a valley positive; zero at an end [rad].
+    fn turn(&self, seat: usize) -> f64 {
+        let mut sides = self.beside(seat).map(|side| along_of(&self.reference, side));
+        let (Some(before), Some(behind)) = (sides.next(), sides.next()) else { return 0.0 };
+        cross(before, behind).atan2(dot(before, behind))
     }
 
     /// Change of the coordinate along the surface [L]: the short way round a closed run, zero from
@@ -417,6 +426,11 @@ impl Itself {
 
 fn size(way: Point) -> f64 {
     way[0].hypot(way[1])
+}
+
+/// The segment of that number of a list of places.
+fn along_of(places: &[Point], part: usize) -> Point {
+    sub(places[part + 1], places[part])
 }
 
 fn along(positions: &[[f64; 3]], part: usize) -> Point {

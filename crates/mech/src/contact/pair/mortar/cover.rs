@@ -118,6 +118,7 @@ impl Cover {
             }
         }
         let Some((gap, curve, true)) = nearest else { return };
+        let bounds = bounds.map(|bound| self.of_curve(curve, bound));
         match self.segments.last_mut() {
             Some(last) if last.curve == curve && last.bounds[1] == bounds[0] => {
                 last.bounds[1] = bounds[1];
@@ -127,6 +128,16 @@ impl Cover {
                 self.gaps.push(gap / dot(normal, normal).sqrt());
             }
         }
+    }
+
+    /// A bound of a segment on a curve: an end of that curve itself where it stands there. An end of what
+    /// is hidden may project upon the same place, as in a mesh with a mirror plane, and moves otherwise.
+    fn of_curve(&self, own: usize, bound: Bound) -> Bound {
+        let is_own = |other: &&Bound| {
+            matches!(other, Bound::Projected { curve, at, .. }
+                if *curve == own && (at - bound.at()).abs() <= SAME)
+        };
+        self.bounds.iter().find(is_own).copied().unwrap_or(bound)
     }
 
     /// Leaves out what begins at a corner of the slave and is deeper than it is wide: the corner went

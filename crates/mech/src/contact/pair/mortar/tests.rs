@@ -520,3 +520,35 @@ fn forces_are_continuous_where_an_end_passes_the_end_of_the_surface() {
         assert!((covered - 0.7).abs() < 1e-14, "{covered}");
     }
 }
+
+/// Requirement: what is hidden behind the master changes no force, also where its nodes project upon
+/// those that are faced: the bottom of a block, below a node of its top in the middle of a slave face.
+#[test]
+fn what_is_hidden_moves_no_bound() {
+    let own = [[1.0, 0.0, 0.0], [0.0, 0.0, 0.0]];
+    let reference = Reference::new(&own, Across::Width(1.0));
+    let places = FacePlaces::new(None, &own, None);
+    let line =
+        |from: Place<f64>, to: Place<f64>| Curve::new(&[from, to].map(|[x, y]| [x, y, 0.0]), 1.0);
+    let top = [line([2.0, 0.1], [0.5, -0.1]), line([0.5, -0.1], [-1.0, 0.1])];
+    let force = |behind: &[Curve<f64>]| {
+        let curves = [&top[..], behind].concat();
+        let face = MortarFace { reference: &reference, places: &places, curves: &curves };
+        let segments = Cover::default().find(&face).to_vec();
+        let mut integrals = Integrals::default();
+        assert!(integrals.take(&face, &segments));
+        let mut into = vec![[0.0; 2]; FIRST_MASTER + 3 * curves.len()];
+        let by = Direction { normal: 1.0, tangent: 0.0, area: 0.0 };
+        integrals.pull((&face, &segments), Shares::of(0), &by, &mut into);
+        into
+    };
+    let alone = force(&[]);
+    for shift in [-1e-9, -1e-12, -1e-15, 0.0, 1e-15, 1e-12, 1e-9] {
+        let x = 0.5 + shift;
+        let both = force(&[line([-1.0, 3.0], [x, 3.0]), line([x, 3.0], [2.0, 3.0])]);
+        for (own, other) in alone.iter().zip(&both) {
+            let off = (own[0] - other[0]).abs() + (own[1] - other[1]).abs();
+            assert!(off < 1e-13, "{shift} {own:?} {other:?}");
+        }
+    }
+}

@@ -174,3 +174,21 @@ fn faces_at_a_right_angle_do_not_meet() {
         }
     }
 }
+
+/// Requirement: a node in a valley, where a hook begins below an arm, does not meet the far flank of the
+/// hook through it: the way there leaves one of its faces by a little and goes in through the other.
+#[test]
+fn a_node_in_a_valley_does_not_see_through_its_part() {
+    for height in [0.5, 0.8, 1.0, 1.15, 1.3, 1.6, 2.0] {
+        let below = |x: f64| {
+            -0.5 * height * (1.0 + (std::f64::consts::PI * (x - 10.8).abs().min(1.0)).cos())
+        };
+        let along = |k: u16| f64::from(k) * 12.0 / 112.0;
+        let mut arm: Vec<Plane> = (0..=112).map(|k| [along(k), 1.0]).collect();
+        arm.extend((0..=112).rev().map(|k| [along(k), below(along(k))]));
+        let own = Surface::new(&[(&arm, true)]);
+        for (node, at) in arm.iter().enumerate() {
+            assert_eq!(own.met(&arm, node), None, "{height} {at:?}");
+        }
+    }
+}
