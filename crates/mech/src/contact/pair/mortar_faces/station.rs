@@ -310,6 +310,19 @@ impl<R: Real> Couple<'_, R> {
     }
 }
 
+impl Couple<'_, f64> {
+    /// The smallest gap at the corners of an overlap, which between flat faces is the smallest of all
+    /// [L]; `None` where one of them faces nothing.
+    pub fn least_gap(&self, overlap: &Overlap) -> Option<f64> {
+        let placed = self.place(overlap)?;
+        let mut corners = placed.vertices[..overlap.corners().len()].iter();
+        corners.try_fold(f64::INFINITY, |least, corner| {
+            let from = self.slave.blend(&self.slave.shapes(corner.at).value);
+            Some(meet(self.master, from, placed.plane.normal)?.gap.min(least))
+        })
+    }
+}
+
 impl<R: Real> Station<R> {
     /// What a corner's function, weighted, is there: its part of the area [L2].
     pub fn share(&self, corner: usize) -> R {
