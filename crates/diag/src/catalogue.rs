@@ -235,6 +235,7 @@ catalogue! {
     "SL0612" "penetration beyond the pressure law"
     "SL0613" "a contact pair out of balance"
     "SL0614" "nothing touched"
+    "SL0615" "an edge goes through faces"
     "SL0618" "stabilisation took much of the energy"
     "SL0619" "two masters of the same slaves overlap"
     "SL0701" "the deck cannot be read"

@@ -8,12 +8,13 @@ use slideline_solve::observe::{Frame, PairRow, StepReport};
 /// A quantity of a contact pair.
 pub type PairQuantity = fn(&PairRow) -> f64;
 
-/// The column that holds the number of a node, or nothing.
+/// Columns that hold the number of a node, or nothing.
 const DEEPEST: &str = "deepest_node";
+const UNSEEN: &str = "unseen_node";
 
 #[allow(clippy::cast_precision_loss)] // counts of points
 /// All other columns.
-const QUANTITIES: [(&str, PairQuantity); 19] = [
+const QUANTITIES: [(&str, PairQuantity); 20] = [
     ("closed", |row| row.closed as f64),
     ("changes", |row| row.changes as f64),
     ("penetration", |row| row.penetration),
@@ -33,6 +34,7 @@ const QUANTITIES: [(&str, PairQuantity); 19] = [
     ("friction_x", |row| row.of_friction.force[0]),
     ("friction_y", |row| row.of_friction.force[1]),
     ("friction_z", |row| row.of_friction.force[2]),
+    ("unseen_depth", |row| row.unseen_depth),
 ];
 
 /// The quantity of a column of `JOB.pair.csv`.
@@ -45,11 +47,12 @@ pub(crate) fn columns(model: &Model) -> Vec<&'static str> {
     let in_space = model.is_in_space();
     let is_there = |name: &&str| match *name {
         "moment" => !in_space,
-        "moment_x" | "moment_y" => in_space,
+        "moment_x" | "moment_y" | "unseen_depth" => in_space,
         name => in_space || !name.ends_with("_z"),
     };
     let mut names: Vec<&str> = QUANTITIES.iter().map(|own| own.0).filter(is_there).collect();
     names.insert(3, DEEPEST);
+    names.extend(in_space.then_some(UNSEEN));
     names
 }
 
@@ -71,7 +74,8 @@ impl Rows for Pairs {
         for (pair, row) in frame.model.contact_pairs.iter().zip(frame.pairs) {
             sheet.row().name(&pair.name);
             for column in &self.0 {
-                match (pair_quantity(column), row.deepest) {
+                let node = if *column == UNSEEN { row.unseen } else { row.deepest };
+                match (pair_quantity(column), node) {
                     (Some(quantity), _) => sheet.numbers([quantity(row)]),
                     (None, Some(node)) => sheet.cell(frame.model.nodes.label(node)),
                     (None, None) => sheet.cell(""),

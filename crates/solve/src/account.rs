@@ -11,11 +11,12 @@
 //! docs/theory.md section 10.
 
 use crate::books::Books;
+use crate::contact::SlavePoint;
 use crate::moments::turn_moments;
 use crate::newton::Scratch;
 use crate::observe::results::Energies;
 use crate::problem::Problem;
-use crate::state::State;
+use crate::state::{PointState, State};
 use crate::structure::{Ambient, Configuration};
 use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::element::Temperature;
@@ -46,6 +47,8 @@ pub fn account(plan: &Problem<'_>, committed: &State, work: &Scratch, trial: &mu
         energy.external_work += (mean_reaction + mean_load) * trial.increment[dof];
     }
     energy.external_work += plan.contact.interference_work(committed, trial);
+    let brought = brought(plan, committed, trial);
+    energy.removed_energy -= brought;
     energy.thermal_work += thermal_work(plan, committed, work);
     for state in [committed, trial as &State] {
         let at = (&state.displacement[..], &committed.turns[..]);
@@ -66,7 +69,7 @@ pub fn account(plan: &Problem<'_>, committed: &State, work: &Scratch, trial: &mu
         energy.of_the_model() - before.of_the_model() + energy.stabilisation - before.stabilisation;
     trial.books = Books {
         turned_over: committed.books.turned_over + gained.abs().max(taken.abs()),
-        left: gained - stored - friction.work,
+        left: gained + brought - stored - friction.work,
         opening: friction.opening,
         opening_dissipation: friction.opening_dissipation,
         ..committed.books
@@ -105,6 +108,26 @@ fn thermal_work(plan: &Problem<'_>, committed: &State, work: &Scratch) -> f64 {
     };
     let (from, to) = (&committed.displacement[..], &work.u[..]);
     0.5 * (energy(from, after) - energy(from, before) + energy(to, after) - energy(to, before))
+}
+
+/// What contact pairs bring that come to a step overclosed: their points stand open in the state before,
+/// and what resolves the overclosure is work of no support. docs/theory.md eq. (10.3b)
+fn brought(plan: &Problem<'_>, committed: &State, trial: &State) -> f64 {
+    if committed.balance_origin.is_none() {
+        return 0.0;
+    }
+    let states = committed.points.iter().zip(&trial.points);
+    let of_point = |(point, (before, now)): (&SlavePoint, (&PointState, &PointState))| {
+        let law = &plan.contact.laws_of(point.pair, now).normal;
+        let (from, to) = (-before.opening, -now.opening);
+        let begins = law.contact_begins();
+        let comes = !before.closed && before.along.is_some() && begins.is_finite() && from > begins;
+        match comes && now.closed {
+            true => now.area * (0.5 * now.pressure * (from - to) + law.energy(to)),
+            false => 0.0,
+        }
+    };
+    plan.contact.points.iter().zip(states).map(of_point).sum()
 }
 
 /// What the first increment of a run left over: a model that begins

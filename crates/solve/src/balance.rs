@@ -51,6 +51,9 @@ pub fn pair_rows(
         }
         sums[point.pair].add(plan, state, now, &kinematics);
     }
+    for own in plan.contact.unseen(&work.evaluation.kinematics) {
+        (rows[own.pair].unseen_depth, rows[own.pair].unseen) = (own.depth, Some(own.node));
+    }
     for (row, sum) in rows.iter_mut().zip(sums) {
         row.take_means();
         (row.force_imbalance, row.moment_imbalance) = sum.imbalance();

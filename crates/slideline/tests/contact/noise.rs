@@ -274,3 +274,32 @@ fn a_run_that_touches_nothing_is_not_green() {
         );
     }
 }
+
+/// Requirement: contact over faces that an edge goes through says so and is amber, also where the run goes on
+/// from a saved state; contact at nodes holds the edge and says nothing.
+#[test]
+fn an_edge_that_goes_through_faces_is_told() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../corpus/run/SL0615-edge.inp");
+    let faces = std::fs::read_to_string(path).unwrap();
+    let faces = faces.replacen("*STEP", "*RESTART, WRITE\n*STEP", 1);
+    let nodes = faces.replace("SURFACE TO SURFACE", "NODE TO SURFACE");
+    for (name, text, says) in [("faces", &faces, true), ("nodes", &nodes, false)] {
+        let read = Job::read_text(name, text, &ReadOptions::default());
+        let place = folder(&format!("edge_{name}"));
+        let outcome = run_in(&place, &read);
+        assert_eq!(codes(&outcome).contains(&"SL0615"), says, "{name}: {:?}", codes(&outcome));
+        let summary = std::fs::read_to_string(place.join(format!("{name}.json"))).unwrap();
+        assert!(!says || !summary.contains("\"green\""), "{summary}");
+    }
+    let read = Job::read_text("faces", &faces, &ReadOptions::default());
+    let part = folder("edge_part");
+    let options = RunOptions { folder: Some(part.clone()), ..RunOptions::default() };
+    assert_eq!(run(&read, &options, &mut Until(3)).status, Status::Interrupted);
+    let options = RunOptions { restart: true, ..options };
+    let outcome = run(&read, &options, &mut Quiet);
+    let said = |outcome: &Outcome| {
+        let mut own = outcome.diagnostics.iter();
+        own.find(|own| own.code.0 == "SL0615").map(|own| own.message.clone())
+    };
+    assert!(said(&outcome).is_some_and(|own| own.contains("increment 4")), "{outcome:?}");
+}

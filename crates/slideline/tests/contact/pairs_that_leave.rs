@@ -34,6 +34,27 @@ fn a_removed_pair_carries_nothing() {
     }
 }
 
+/// Requirement: a pair that comes back overclosed brings the work that resolves the overclosure, so that
+/// energy balances to rounding, whatever the law; without it as much as the blocks hold was missing.
+#[test]
+fn energy_balances_where_a_pair_comes_back_overclosed() {
+    let laws = ["", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n5000.0\n"];
+    for ((in_space, kind), law) in ALL.into_iter().flat_map(|own| laws.map(|law| (own, law))) {
+        let up = if in_space { 3 } else { 2 };
+        let change = |what: &str| {
+            format!("{STEP}*MODEL CHANGE, TYPE=CONTACT PAIR, {what}\nUPPER, LOWER\n*END STEP\n")
+        };
+        let deck = format!(
+            "{}*SURFACE INTERACTION, NAME=I\n{law}*CONTACT PAIR, INTERACTION=I, TYPE={kind}\nUPPER, LOWER\n\
+             {STEP}*BOUNDARY\nLOW, 1, {up}\nHIGH, 1, {up}\nHIGH, {up}, {up}, -0.01\n*END STEP\n",
+            mesh(in_space, 0.0)
+        ) + &change("REMOVE")
+            + &change("ADD");
+        let balance = solved(&deck).balance;
+        assert!(balance < 1e-9, "{kind} {in_space} {law:?}: {balance}");
+    }
+}
+
 /// Requirement: a run that ends without its pair has a report; where rows of closed points are gone
 /// the contact file was cut, and there is none.
 #[test]

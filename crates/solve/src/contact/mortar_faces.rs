@@ -9,6 +9,7 @@
 //!
 //! docs/theory.md section 5.11
 
+pub mod depth;
 pub mod gradients;
 pub mod near;
 pub mod place;

@@ -122,6 +122,11 @@ pub struct PairRow {
     pub penetration: f64,
     /// Its node.
     pub deepest: Option<NodeIndex>,
+    /// How deep a slave face of contact that is spread over faces in space lies in the master beyond
+    /// what the mean over it shows, in sizes of the face [1]; zero without.
+    pub unseen_depth: f64,
+    /// A node of that face.
+    pub unseen: Option<NodeIndex>,
     /// Sum of the forces on the slaves [F].
     pub force: [f64; 3],
     /// Their moment about the origin [F L].
