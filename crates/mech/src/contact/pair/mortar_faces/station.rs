@@ -325,7 +325,6 @@ impl<R: Real> Couple<'_, R> {
 }
 
 impl Couple<'_, f64> {
-<<<<<<< HEAD
     /// Calls with area, shape functions of the slave, gap and shape functions of the master of places
     /// over an overlap.
     pub fn each_meeting(
@@ -338,7 +337,8 @@ impl Couple<'_, f64> {
             let area = own.weight * own.twice * own.measure;
             call(area, &own.slave.value, own.met.gap, &own.met.shapes.value);
         });
-=======
+    }
+
     /// The smallest gap at the corners of an overlap, which between flat faces is the smallest of all
     /// [L]; `None` where one of them faces nothing.
     pub fn least_gap(&self, overlap: &Overlap) -> Option<f64> {
@@ -348,7 +348,6 @@ impl Couple<'_, f64> {
             let from = self.slave.blend(&self.slave.shapes(corner.at).value);
             Some(meet(self.master, from, placed.plane.normal)?.gap.min(least))
         })
->>>>>>> 6e7666055f8dc167f934753bb217627d3f06900e
     }
 }
 
