@@ -16,6 +16,7 @@
 //! where T turns with the unknowns, f . d2u/dq2 is added: docs/theory.md
 //! eqs (4.1) to (4.4), (4.18).
 
+mod carried;
 mod deserted;
 mod following;
 mod joined;
@@ -29,6 +30,7 @@ mod shapes;
 mod tests;
 mod turning;
 
+pub use carried::Carried;
 pub use following::Constraints;
 pub use motion::Motion;
 pub use numbering::{ConstraintNumbering, Role};

@@ -3,6 +3,7 @@
 use super::*;
 use crate::dofs::DofMap;
 use slideline_diag::{FileId, Span};
+use slideline_linalg::Pattern;
 use slideline_model::{
     ContactElement, ContactPair, Controls, Dof, Extrapolation, Formulation, Friction, Interaction,
     Lumping, Master, Model, Node, NodeIndex, NormalLaw, OutputRequests, Passage, Prescribed,
@@ -211,6 +212,26 @@ fn check_forces_are_the_transpose(built: &Built) {
     }
     let left = (0..u.len()).filter(|&dof| constraints.is_dependent(dof));
     assert!(left.into_iter().all(|dof| carried[dof] == 0.0));
+}
+
+/// Requirement: summed before entries are looked up, T' K T is what it is term by term.
+#[test]
+fn elements_are_carried_as_a_sum() {
+    for built in [build(), build_turned()] {
+        let (constraints, Built { u, rows, .. }) = (built.constraints(), &built);
+        let dofs: Vec<usize> = (0..u.len()).collect();
+        let tangent: Vec<f64> = (0..u.len() * u.len()).map(|k| (0.3 * k as f64).sin()).collect();
+        let equations: Vec<usize> = (0..constraints.equations()).collect();
+        let pattern = Pattern::from_cliques(equations.len(), [equations].iter());
+        let mut values = [vec![0.0; pattern.entries()], vec![0.0; pattern.entries()]];
+        let at = |i: usize, j: usize| tangent[i * dofs.len() + j];
+        constraints.scatter((rows, &pattern), &dofs, at, &mut values[0]);
+        let [by_terms, summed] = &mut values;
+        super::carried::sum_of(&constraints, (rows, &pattern), (&dofs, &tangent), summed);
+        let off = by_terms.iter().zip(summed).map(|(a, b)| (a - *b).abs());
+        assert!(off.fold(0.0, f64::max) < 1e-12);
+        assert!(by_terms.iter().any(|value| value.abs() > 0.1));
+    }
 }
 
 /// Requirement: of forces that stay, T' f changes by the turning alone. Central

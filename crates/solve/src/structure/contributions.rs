@@ -1,6 +1,7 @@
 //! What every element contributes.
 
 use super::numbering::ElementNumbering;
+use crate::constraints::Carried;
 use slideline_mech::element::Failure;
 
 /// What every element contributes, in dofs of its own.
@@ -17,6 +18,8 @@ pub struct Contributions {
     pub(super) few: Vec<f64>,
     /// Tangents of those with dofs that follow others, which are gathered last.
     pub(super) last: Vec<f64>,
+    /// Room to carry them over to what is followed.
+    pub(super) carried: Carried,
 }
 
 impl Contributions {

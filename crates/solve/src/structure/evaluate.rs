@@ -10,7 +10,7 @@
 
 use super::contributions::Contributions;
 use super::elements::{AtNodes, Configuration, Structure};
-use crate::constraints::{Constraints, Rows};
+use crate::constraints::{Carried, Constraints, Rows};
 use rayon::ThreadPool;
 use slideline_linalg::Pattern;
 use slideline_mech::element::{Failure, Kernel, MOST_VARIABLES, Response, Strains, Surroundings};
@@ -72,7 +72,7 @@ impl Structure<'_> {
         let at = Configuration { stresses: at.stresses.filter(|_| self.nlgeom), ..*at };
         let pool = pool.filter(|_| self.numbering.count >= PARALLEL);
         let few = if pool.is_some() { SHARES * SHARE } else { FEW };
-        let Contributions { force, energy, state, few: room, last } = into;
+        let Contributions { force, energy, state, few: room, last, carried } = into;
         last.clear();
         gather.values.fill(0.0);
         let mut rest =
@@ -90,7 +90,7 @@ impl Structure<'_> {
             self.gather_tangents(elements, room, &mut gather, last);
             rest = later;
         }
-        self.gather_last(last, &mut gather);
+        self.gather_last(last, &mut gather, carried);
     }
 
     /// Evaluates forces, energies and states alone. The bits are those of
@@ -238,16 +238,15 @@ impl Structure<'_> {
     }
 
     /// Sums the tangents of elements with dofs that follow others.
-    fn gather_last(&self, last: &[f64], gather: &mut Gather<'_>) {
+    fn gather_last(&self, last: &[f64], gather: &mut Gather<'_>, carried: &mut Carried) {
         let mut rest = last;
         for &element in self.dependent {
             let (block, _) = self.element(element);
             let own = self.own(block, element);
             let (tangent, behind) = rest.split_at(own.len() * own.len());
             rest = behind;
-            let at = |i: usize, j: usize| tangent[i * own.len() + j];
             let onto = (gather.rows, gather.pattern);
-            gather.constraints.scatter(onto, own, at, gather.values);
+            gather.constraints.scatter_element(onto, (own, tangent), gather.values, carried);
         }
     }
 }
