@@ -15,6 +15,7 @@ mod between;
 mod candidates;
 mod cliques;
 mod crossing;
+mod edges;
 mod faces;
 mod facing;
 mod idle;

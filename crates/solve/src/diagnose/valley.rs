@@ -7,6 +7,7 @@
 //! ```
 
 use super::case::Case;
+use slideline_mech::vector::{cross, size, sub};
 use slideline_model::{Master, NodeIndex, SlideLine};
 
 /// Part of the shorter of both faces by which a node stands from the bottom, at most [1].
@@ -34,18 +35,14 @@ impl Case<'_> {
     fn bottom_at(&self, line: &SlideLine, at: [f64; 3]) -> Option<NodeIndex> {
         let stands = |node: NodeIndex| {
             let from = self.plan.model.nodes.get(node).position;
-            let [x, y, _] = self.plan.dofs.translations(node).displace(from, &self.work.u);
-            [x, y]
+            self.plan.dofs.translations(node).displace(from, &self.work.u)
         };
         line.nodes.windows(3).find_map(|nodes| {
             let [a, bottom, b] = [nodes[0], nodes[1], nodes[2]].map(stands);
-            let way = |from: [f64; 2], to: [f64; 2]| [to[0] - from[0], to[1] - from[1]];
-            let (before, behind, off) =
-                (way(a, bottom), way(bottom, b), way(bottom, [at[0], at[1]]));
-            let size = |way: [f64; 2]| way[0].hypot(way[1]);
+            let (before, behind) = (sub(bottom, a), sub(b, bottom));
             // the outside is on the left of travel: a valley turns to the left
-            let is_valley = before[0] * behind[1] - before[1] * behind[0] > 0.0;
-            let is_near = size(off) < NEAR * size(before).min(size(behind));
+            let is_valley = cross(before, behind)[2] > 0.0;
+            let is_near = size(sub(at, bottom)) < NEAR * size(before).min(size(behind));
             (is_valley && is_near).then_some(nodes[1])
         })
     }

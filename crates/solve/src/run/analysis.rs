@@ -61,6 +61,8 @@ pub struct Analysis<'a> {
     pub(super) tangent_is_wrong: bool,
     /// Whether it was said that masters leave no room.
     pub(super) room_is_judged: bool,
+    /// Whether it was said that an edge of a master stands in a face of the slave.
+    pub(super) edges_are_judged: bool,
     pub(super) rows: &'a mut Rows,
     /// What the run is differentiated by, and the state and start before the step.
     pub varied: Option<&'a mut Varied>,
@@ -99,6 +101,7 @@ impl<'a> Analysis<'a> {
             enforcement: options.enforcement,
             tangent_is_wrong: false,
             room_is_judged: false,
+            edges_are_judged: false,
             rows,
             varied: None,
             before: None,

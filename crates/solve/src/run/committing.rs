@@ -58,7 +58,7 @@ impl Analysis<'_> {
         if *decision == Decision::StepDone {
             told = told.and(self.judge_stabilisation(plan)).and(self.judge_balance(plan, target));
         }
-        told = told.and(self.judge_room(plan));
+        told = told.and(self.judge_room(plan)).and(self.judge_edges(plan));
         for diagnosis in jumped.iter().chain(&left) {
             told = told.and(self.tell(Event::Diagnosed(diagnosis)));
         }

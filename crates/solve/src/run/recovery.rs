@@ -109,6 +109,35 @@ impl Analysis<'_> {
         self.tell(Event::Diagnosed(&said))
     }
 
+    /// Says so once where a sharp edge of a master stands in a face between two slave nodes.
+    pub(super) fn judge_edges(&mut self, plan: &Problem<'_>) -> Result<(), Left> {
+        if self.edges_are_judged {
+            return Ok(());
+        }
+        let committed = &*self.committed;
+        let found = plan.contact.edge_inside(&committed.displacement, &committed.points);
+        let Some(found) = found else { return Ok(()) };
+        self.edges_are_judged = true;
+        let pair = &plan.model.contact_pairs[found.pair];
+        let nodes = &plan.model.nodes;
+        let edge = pair.master.deforming_nodes().get(found.edge).map(|&node| nodes.name(node));
+        let [a, b] = found.face.map(|node| nodes.name(node));
+        let message = format!(
+            "an edge of the master of {}{} stands {:.3e} deep in the face between slave nodes {a} and \
+             {b} at total time {:.6}: contact is at the nodes, nothing holds it there, and a node may \
+             catch on its side",
+            pair.name,
+            edge.map(|edge| format!(", at node {edge},")).unwrap_or_default(),
+            found.depth,
+            committed.total_time
+        );
+        let said = Diagnostic::warning(Code("SL0620"), message).at(pair.origin).help(
+            "spread the contact over faces, *CONTACT PAIR, TYPE=SURFACE TO SURFACE, those of the \
+             slave no longer than those of the master, or name the side with the edge first",
+        );
+        self.tell(Event::Diagnosed(&said))
+    }
+
     /// The last attempts at an increment that no shorter one replaces: with a
     /// line search, then, where contact acts and no cause forbids it, downhill to
     /// another equilibrium. Where contact leaves the pattern they are to be made again.
