@@ -47,12 +47,12 @@ pub(crate) fn columns(model: &Model) -> Vec<&'static str> {
     let in_space = model.is_in_space();
     let is_there = |name: &&str| match *name {
         "moment" => !in_space,
-        "moment_x" | "moment_y" | "unseen_depth" => in_space,
+        "moment_x" | "moment_y" => in_space,
         name => in_space || !name.ends_with("_z"),
     };
     let mut names: Vec<&str> = QUANTITIES.iter().map(|own| own.0).filter(is_there).collect();
     names.insert(3, DEEPEST);
-    names.extend(in_space.then_some(UNSEEN));
+    names.push(UNSEEN);
     names
 }
 

@@ -107,29 +107,24 @@ fn carriers(
 fn row(table: &Table, model: &Model) -> Result<PairRow, Problem> {
     let number = |index| table.number(index);
     let node = |index| table.cell(index).parse().ok().and_then(|label| model.nodes.find(label));
-    let deepest = node(7);
-    if !model.is_in_space() {
-        let (force, moment) = ([number(8)?, number(9)?, 0.0], [0.0, 0.0, number(10)?]);
-        let own = PairRow { deepest, force, moment, ..PairRow::default() };
-        return with_sums(table, 11, own);
-    }
-    let force = [number(8)?, number(9)?, number(10)?];
-    let moment = [number(11)?, number(12)?, number(13)?];
-    let (unseen_depth, unseen) = (number(23)?, node(24));
-    let own = PairRow { deepest, force, moment, unseen_depth, unseen, ..PairRow::default() };
-    with_sums(table, 14, own)
-}
-
-/// What stands in the same columns of every model, and from column `next` on.
-fn with_sums(table: &Table, next: usize, own: PairRow) -> Result<PairRow, Problem> {
-    let number = |index| table.number(index);
+    let (force, moment, next, unseen) = match model.is_in_space() {
+        true => {
+            ([number(8)?, number(9)?, number(10)?], [number(11)?, number(12)?, number(13)?], 14, 23)
+        }
+        false => ([number(8)?, number(9)?, 0.0], [0.0, 0.0, number(10)?], 11, 18),
+    };
     Ok(PairRow {
         closed: table.number(4)?,
         changes: table.number(5)?,
         penetration: number(6)?,
+        deepest: node(7),
+        force,
+        moment,
         force_imbalance: number(next)?,
         moment_imbalance: number(next + 1)?,
         area: number(next + 2)?,
-        ..own
+        unseen_depth: number(unseen)?,
+        unseen: node(unseen + 1),
+        ..PairRow::default()
     })
 }

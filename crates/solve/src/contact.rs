@@ -41,6 +41,7 @@ mod slip;
 mod stand;
 mod stencil;
 mod tangent;
+mod unseen;
 mod values;
 mod within;
 

@@ -303,3 +303,31 @@ fn an_edge_that_goes_through_faces_is_told() {
     };
     assert!(said(&outcome).is_some_and(|own| own.contains("increment 4")), "{outcome:?}");
 }
+
+/// The same in the plane: a square stands on its corner on a row of squares and is pressed into it.
+#[test]
+fn a_corner_that_goes_through_faces_of_the_plane_is_told() {
+    let deck = |kind: &str| {
+        let mut deck = String::from("*HEADING\ncorner\n*NODE\n");
+        for k in 0..5 {
+            let x = 0.5 * f64::from(k) - 0.97;
+            deck += &format!("{}, {x:?}, -1.0\n{}, {x:?}, 0.0\n", 1 + k, 11 + k);
+        }
+        deck += "100, 0.0, 0.0\n101, 0.4, 0.4\n102, 0.0, 0.8\n103, -0.4, 0.4\n\
+                 *ELEMENT, TYPE=CPE4, ELSET=ROW\n1, 1, 2, 12, 11\n2, 2, 3, 13, 12\n3, 3, 4, 14, 13\n\
+                 4, 4, 5, 15, 14\n*ELEMENT, TYPE=CPE4, ELSET=SQUARE\n9, 100, 101, 102, 103\n\
+                 *SOLID SECTION, ELSET=ROW, MATERIAL=M\n*SOLID SECTION, ELSET=SQUARE, MATERIAL=M\n\
+                 *MATERIAL, NAME=M\n*ELASTIC\n1000.0, 0.3\n*SURFACE, NAME=TOP\nROW, S3\n\
+                 *SURFACE, NAME=TIP\nSQUARE, S1\nSQUARE, S4\n*SURFACE INTERACTION, NAME=DRY\n";
+        deck += &format!("*CONTACT PAIR, INTERACTION=DRY, TYPE={kind}\nTIP, TOP\n");
+        deck += "*NSET, NSET=LOW, GENERATE\n1, 5\n*NSET, NSET=HEAD\n101, 102, 103\n*BOUNDARY\nLOW, 1, 2\n\
+                 HEAD, 1\n*STEP, NLGEOM\n*STATIC\n0.25, 1.0\n*BOUNDARY\nHEAD, 2, 2, -0.1\n*END STEP\n";
+        deck
+    };
+    for (kind, says) in [("SURFACE TO SURFACE", true), ("NODE TO SURFACE", false)] {
+        let read = Job::read_text("corner", &deck(kind), &ReadOptions::default());
+        let outcome = run_in(&folder("corner"), &read);
+        assert_eq!(outcome.status, Status::Completed, "{:?}", outcome.diagnostics);
+        assert_eq!(codes(&outcome).contains(&"SL0615"), says, "{kind}: {:?}", codes(&outcome));
+    }
+}

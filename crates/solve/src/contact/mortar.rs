@@ -10,6 +10,7 @@
 //! docs/theory.md section 5.10
 
 pub mod curves;
+pub mod depth;
 pub mod near;
 pub mod place;
 pub mod rooms;

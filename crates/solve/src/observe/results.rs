@@ -122,7 +122,7 @@ pub struct PairRow {
     pub penetration: f64,
     /// Its node.
     pub deepest: Option<NodeIndex>,
-    /// How deep a slave face of contact that is spread over faces in space lies in the master beyond
+    /// How deep a slave face of contact that is spread over faces lies in the master beyond
     /// what the mean over it shows, in sizes of the face [1]; zero without.
     pub unseen_depth: f64,
     /// A node of that face.

@@ -8,48 +8,17 @@
 //!
 //! docs/theory.md eq. (5.33b)
 
-use super::super::kinematics::ContactKinematics;
-use super::super::master::MasterSurface;
-use super::super::pairs::Contact;
 use super::place::{FaceRoom, FaceState};
 use super::slave::{FaceMortar, SlaveFace};
 use slideline_mech::contact::pair::mortar_faces::corners;
-use slideline_model::NodeIndex;
-
-/// A slave face that lies in the master.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Unseen {
-    /// Place of its pair in the model.
-    pub pair: usize,
-    /// How deep beyond its mean overclosure, in sizes of the face [1].
-    pub depth: f64,
-    /// A node of it.
-    pub node: NodeIndex,
-}
-
-impl Contact {
-    /// Of every pair that is spread over faces in space, the slave face that lies deepest in the master
-    /// beyond its mean.
-    pub fn unseen<'a>(
-        &'a self,
-        kinematics: &'a ContactKinematics,
-    ) -> impl Iterator<Item = Unseen> + 'a {
-        let mortars = self.face_mortars.iter().zip(&kinematics.face_mortars);
-        let is_there = |pair: usize| !matches!(self.masters[pair], MasterSurface::Nothing);
-        mortars
-            .filter(move |(mortar, _)| is_there(mortar.pair))
-            .filter_map(|(mortar, rooms)| rooms.now.unseen(mortar))
-    }
-}
 
 impl FaceRoom {
-    fn unseen(&self, mortar: &FaceMortar) -> Option<Unseen> {
+    /// The slave face that lies deepest in the master beyond its mean: by how much, in sizes of the face
+    /// [1], and one of its points.
+    pub fn unseen(&self, mortar: &FaceMortar) -> Option<(f64, usize)> {
         let faces = mortar.faces.iter().zip(&self.faces);
-        let all = faces.filter_map(|(own, state)| {
-            let node = mortar.nodes[own.nodes[0]];
-            Some(Unseen { pair: mortar.pair, depth: state.depth_unseen(own)?, node })
-        });
-        all.filter(|own| own.depth > 0.0).max_by(|a, b| a.depth.total_cmp(&b.depth))
+        let all = faces.filter_map(|(own, state)| Some((state.depth_unseen(own)?, own.points[0])));
+        all.filter(|own| own.0 > 0.0).max_by(|a, b| a.0.total_cmp(&b.0))
     }
 }
 

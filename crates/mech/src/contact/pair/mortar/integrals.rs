@@ -8,7 +8,9 @@
 //!
 //! docs/theory.md eqs. (5.21) to (5.24)
 
-use super::curve::{Curve, MOST_CONTROLS, Place, Shapes, add_scaled, cross, shapes, sub, zero};
+use super::curve::{
+    Curve, MOST_CONTROLS, Place, Shapes, add_scaled, cross, dot, shapes, sub, zero,
+};
 use super::face::{FIRST_MASTER, MortarFace, OWN, field, field_slope};
 use super::normals::MeanNormal;
 use super::reference::Reference;
@@ -124,6 +126,27 @@ const FIVE: &[(f64, f64)] = &[
     (0.769_234_655_052_841_5, 0.239_314_335_249_683_23),
     (0.953_089_922_969_332, 0.118_463_442_528_094_54),
 ];
+
+impl Integrals<f64> {
+    /// How deep a place of the face lies in what it faces beyond its mean overclosure [L]; `None` where
+    /// it faces nothing. docs/theory.md eq. (5.33b)
+    pub fn unseen_depth(&self, face: &MortarFace<'_, f64>, segments: &[Segment]) -> Option<f64> {
+        let (slave, ends) = (face.curve(), self.ends?);
+        let gap = |(place, t): (usize, f64)| {
+            let (normal, at) = (field(&ends, t), slave.blend(&slave.shapes(t).value));
+            let master = &face.curves[segments[place].curve];
+            let faced = master.blend(&master.shapes(master.crossed(at, normal)?).value);
+            Some(dot(sub(faced, at), normal))
+        };
+        let bounds = self.spans.iter().enumerate().flat_map(|(k, span)| span.map(|t| (k, t)));
+        let of_station = |station: &Station<f64>| -dot(station.apart, station.normal);
+        let all = bounds.filter_map(gap).chain(self.stations.iter().map(of_station));
+        let least = all.reduce(f64::min)?;
+        let area: f64 = self.stations.iter().map(|own| self.area(own)).sum();
+        let sum: f64 = self.stations.iter().map(|own| self.area(own) * of_station(own)).sum();
+        (area > 0.0).then(|| (sum / area).min(0.0) - least)
+    }
+}
 
 impl<R: Real> Integrals<R> {
     /// Takes the integrals over segments of a face; false where the face has collapsed or some place
