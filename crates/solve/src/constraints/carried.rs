@@ -32,7 +32,8 @@ impl Carried {
     /// Takes in what dofs follow.
     fn take(&mut self, numbering: &ConstraintNumbering, rows: &Rows, dofs: &[usize]) {
         let Self { terms, start, .. } = self;
-        (terms.clear(), start.clear());
+        terms.clear();
+        start.clear();
         for &dof in dofs {
             start.push(terms.len());
             numbering.for_each_equation(rows, dof, &mut |equation, a| terms.push((equation, a)));

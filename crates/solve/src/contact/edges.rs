@@ -9,70 +9,147 @@
 
 use super::master::MasterSurface;
 use super::pairs::Contact;
+use super::slave_face::SlaveFace;
 use crate::state::PointState;
 use slideline_mech::contact::search::sharp;
-use slideline_mech::vector::{cross, dot, sub};
+use slideline_mech::pressure::Face;
+use slideline_mech::vector::{dot, size, sub};
 use slideline_model::NodeIndex;
 
-/// Part of the length of a face by which an edge may stand in it unsaid [1]: less is what faces that bend
+/// Part of the size of a face by which an edge may stand in it unsaid [1]: less is what faces that bend
 /// about an edge, and meshes that do not match, come to.
 const DEEP: f64 = 0.1;
+/// Places along an edge in space that are looked at, its ends among them.
+const PLACES: usize = 5;
+/// Share of the nodes of a face that a place in it has at least [1]: less stands upon its border.
+const WITHIN: f64 = 1e-6;
 
 /// An edge of a master in a face of the slave.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct EdgeInside {
     /// The pair.
     pub pair: usize,
-    /// Place of the edge in the chain of its master.
+    /// A node of the edge, by its place among those of its master.
     pub edge: usize,
-    /// Nodes of the face.
-    pub face: [NodeIndex; 2],
+    /// Corners of the face.
+    pub face: Vec<NodeIndex>,
     /// How deep it stands [L].
     pub depth: f64,
 }
 
+/// A place of a sharp edge, and the face of the slave that is nearest to it.
+struct EdgePlace {
+    at: [f64; 3],
+    node: usize,
+    nearest: Option<NearFace>,
+}
+
+#[derive(Clone, Copy)]
+struct NearFace {
+    face: usize,
+    distance: f64,
+    /// How deep it stands behind the face, in sizes of the face [1]; zero before it or beside it.
+    depth: f64,
+}
+
 impl Contact {
-    /// The deepest sharp edge of a master that stands in a face between two slave nodes, of pairs that are
-    /// closed somewhere; in the plane.
+    /// The deepest sharp edge of a master that stands in a face between slave nodes, of pairs that are
+    /// closed somewhere.
     pub fn edge_inside(&self, u: &[f64], points: &[PointState]) -> Option<EdgeInside> {
         let pairs = (0..self.masters.len()).filter(|&pair| self.sharp[pair]);
         let closed = |pair: usize| {
             let own = self.points.iter().zip(points);
-            own.into_iter().any(|(point, state)| point.pair == pair && state.closed)
+            own.into_iter().any(|(point, state)| {
+                point.pair == pair && state.closed && point.is_node() && point.mortar.is_none()
+            })
         };
         let found = pairs.filter(|&pair| closed(pair)).filter_map(|pair| self.edge_of(pair, u));
         found.max_by(|a, b| a.depth.total_cmp(&b.depth))
     }
 
     fn edge_of(&self, pair: usize, u: &[f64]) -> Option<EdgeInside> {
-        let MasterSurface::Line { nodes, itself: None, .. } = &self.masters[pair] else {
-            return None;
-        };
-        let stands = |place: usize| nodes[place].1.displace(nodes[place].0, u);
-        let edges = (1..nodes.len().saturating_sub(1))
-            .filter(|&edge| sharp::is_sharp([edge - 1, edge, edge + 1].into_iter().map(stands)));
-        let found = edges.flat_map(|edge| {
-            let at = stands(edge);
-            let own = self.points.iter().filter(move |point| point.pair == pair && point.is_node());
-            own.flat_map(|point| &point.faces).filter_map(move |&face| {
-                let (depth, face) = self.depth_in(face, at, u)?;
-                Some(EdgeInside { pair, edge, face, depth })
-            })
+        let mut edges = self.edge_places(pair, u);
+        edges.sort_by(|a, b| a.at[0].total_cmp(&b.at[0]));
+        let own = self.points.iter().filter(|point| point.pair == pair && point.is_node());
+        let mut faces: Vec<usize> = own.flat_map(|point| &point.faces).copied().collect();
+        faces.sort_unstable();
+        faces.dedup();
+        for face in faces {
+            note_nearest(face, &self.slave_faces[face], u, &mut edges);
+        }
+        let inside = edges.iter().filter_map(|place| {
+            let near = place.nearest.filter(|near| near.depth >= DEEP)?;
+            let corners = &self.slave_faces[near.face].corners;
+            let face = corners.iter().map(|(node, ..)| *node).collect();
+            Some(EdgeInside { pair, edge: place.node, face, depth: near.distance })
         });
-        found.max_by(|a, b| a.depth.total_cmp(&b.depth))
+        inside.max_by(|a, b| a.depth.total_cmp(&b.depth))
     }
 
-    /// How deep a place stands in a face of the slave, and the nodes of that; `None` where it stands before
-    /// it, beside it, hardly in it or farther behind it than it is long.
-    fn depth_in(&self, face: usize, at: [f64; 3], u: &[f64]) -> Option<(f64, [NodeIndex; 2])> {
-        let [first, last] = &self.slave_faces[face].corners[..] else { return None };
-        let [a, b] = [first, last].map(|(_, from, dofs)| dofs.displace(*from, u));
-        let (along, off) = (sub(b, a), sub(at, a));
-        let square = dot(along, along);
-        let t = dot(along, off) / square;
-        // the material is on the left
-        let depth = cross(along, off)[2] / square;
-        let is_inside = (0.0..=1.0).contains(&t) && (DEEP..=1.0).contains(&depth);
-        is_inside.then_some((depth * square.sqrt(), [first.0, last.0]))
+    /// Places of the sharp edges of a master that does not meet itself.
+    fn edge_places(&self, pair: usize, u: &[f64]) -> Vec<EdgePlace> {
+        let place = |at, node| EdgePlace { at, node, nearest: None };
+        match &self.masters[pair] {
+            MasterSurface::Line { nodes, itself: None, .. } => {
+                let stands = |node: usize| nodes[node].1.displace(nodes[node].0, u);
+                let inner = 1..nodes.len().saturating_sub(1);
+                inner
+                    .filter(|&n| sharp::is_sharp([n - 1, n, n + 1].into_iter().map(stands)))
+                    .map(|node| place(stands(node), node))
+                    .collect()
+            }
+            MasterSurface::Faces { mesh, nodes, itself: None, .. } if mesh.swept().is_none() => {
+                let stands: Vec<[f64; 3]> =
+                    nodes.iter().map(|(from, dofs)| dofs.displace(*from, u)).collect();
+                let mut places = Vec::new();
+                for (own, face) in mesh.faces().iter().enumerate() {
+                    for (edge, _) in mesh.ends(own).iter().enumerate().filter(|(_, ends)| **ends) {
+                        // each edge once, and none behind which the surface ends
+                        let other = mesh.neighbour(own, edge).filter(|other| own < *other);
+                        if other.is_none_or(|other| !mesh.stands_out(own, other, &stands)) {
+                            continue;
+                        }
+                        let count = face.cell.faces.len();
+                        let [a, b] = [edge, (edge + 1) % count].map(|corner| face.nodes[corner]);
+                        places.extend((0..PLACES).map(|k| {
+                            let t = k as f64 / (PLACES - 1) as f64;
+                            let way = sub(stands[b], stands[a]);
+                            let at = std::array::from_fn(|axis| stands[a][axis] + t * way[axis]);
+                            place(at, if 2 * k < PLACES { a } else { b })
+                        }));
+                    }
+                }
+                places
+            }
+            _ => Vec::new(),
+        }
+    }
+}
+
+/// Notes a face at the places, in the order of their first coordinate, that it is nearest to.
+fn note_nearest(number: usize, face: &SlaveFace, u: &[f64], edges: &mut [EdgePlace]) {
+    let x: Vec<[f64; 3]> =
+        face.corners.iter().map(|(_, from, dofs)| dofs.displace(*from, u)).collect();
+    let (normal, long) = face.stands(u);
+    let dimension = if x.len() == 2 { 2 } else { 3 };
+    let (Some(kind), true) = (Face::of(dimension, x.len(), 1.0), long > 0.0) else { return };
+    let reach = [0, 1, 2].map(|axis| {
+        let of = x.iter().map(|at| at[axis]);
+        let low = of.clone().fold(f64::INFINITY, f64::min) - long;
+        [low, of.fold(f64::NEG_INFINITY, f64::max) + long]
+    });
+    let begin = edges.partition_point(|place| place.at[0] < reach[0][0]);
+    for place in edges[begin..].iter_mut().take_while(|place| place.at[0] <= reach[0][1]) {
+        if (1..3).any(|axis| !(reach[axis][0]..=reach[axis][1]).contains(&place.at[axis])) {
+            continue;
+        }
+        let near = kind.nearest(&x, place.at);
+        if place.nearest.is_some_and(|other| other.distance <= near.distance) {
+            continue;
+        }
+        let behind = dot(sub(near.place, place.at), normal) / size(normal);
+        let is_within = near.shapes[..x.len()].iter().all(|share| *share > WITHIN);
+        let depth = if is_within { (behind / long).max(0.0) } else { 0.0 };
+        place.nearest = Some(NearFace { face: number, distance: near.distance, depth });
     }
 }

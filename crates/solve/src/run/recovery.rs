@@ -121,14 +121,18 @@ impl Analysis<'_> {
         let pair = &plan.model.contact_pairs[found.pair];
         let nodes = &plan.model.nodes;
         let edge = pair.master.deforming_nodes().get(found.edge).map(|&node| nodes.name(node));
-        let [a, b] = found.face.map(|node| nodes.name(node));
+        let face: Vec<String> =
+            found.face.iter().map(|&node| nodes.name(node).to_string()).collect();
+        let (last, first) =
+            (face.last().cloned().unwrap_or_default(), face.len().saturating_sub(1));
         let message = format!(
-            "an edge of the master of {}{} stands {:.3e} deep in the face between slave nodes {a} and \
-             {b} at total time {:.6}: contact is at the nodes, nothing holds it there, and a node may \
+            "an edge of the master of {}{} stands {:.3e} deep in the face between slave nodes {} and \
+             {last} at total time {:.6}: contact is at the nodes, nothing holds it there, and a node may \
              catch on its side",
             pair.name,
             edge.map(|edge| format!(", at node {edge},")).unwrap_or_default(),
             found.depth,
+            face[..first].join(", "),
             committed.total_time
         );
         let said = Diagnostic::warning(Code("SL0620"), message).at(pair.origin).help(
