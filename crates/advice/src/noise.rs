@@ -489,9 +489,10 @@ mod tests {
         assert_eq!(pair.unseen(), None);
         pair.follow(&model, &row(0.4), None, 2);
         pair.follow(&model, &row(0.2), None, 3);
-        let said = pair.unseen().map(|said| (said.code, said.message)).unwrap_or_default();
-        assert_eq!(said.0, Code("SL0615"));
-        assert!(said.1.contains("increment 2") && said.1.contains("0.40"), "{}", said.1);
+        let said = pair.unseen().unwrap();
+        assert_eq!(said.code, Code("SL0615"));
+        let text = &said.message;
+        assert!(text.contains("increment 2") && text.contains("0.40"), "{text}");
     }
 
     #[test]
