@@ -111,7 +111,7 @@ fn thermal_work(plan: &Problem<'_>, committed: &State, work: &Scratch) -> f64 {
 }
 
 /// What contact pairs bring that come to a step overclosed: their points stand open in the state before,
-/// and what resolves the overclosure is work of no support. docs/theory.md eq. (10.3b)
+/// and what resolves the overclosure is work of no support. docs/theory.md section 10
 fn brought(plan: &Problem<'_>, committed: &State, trial: &State) -> f64 {
     if committed.balance_origin.is_none() {
         return 0.0;

@@ -1,6 +1,6 @@
 //! How deep slave faces in the plane lie in the master beyond what their mean gaps show.
 //!
-//! docs/theory.md eq. (5.33b)
+//! docs/theory.md section 5.11
 
 use super::place::MortarRoom;
 use super::slave::Mortar;

@@ -6,7 +6,7 @@
 //!               `'
 //! ```
 //!
-//! docs/theory.md eq. (5.33b)
+//! docs/theory.md section 5.11
 
 use super::place::{FaceRoom, FaceState};
 use super::slave::{FaceMortar, SlaveFace};

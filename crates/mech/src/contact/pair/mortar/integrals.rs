@@ -129,7 +129,7 @@ const FIVE: &[(f64, f64)] = &[
 
 impl Integrals<f64> {
     /// How deep a place of the face lies in what it faces beyond its mean overclosure [L]; `None` where
-    /// it faces nothing. docs/theory.md eq. (5.33b)
+    /// it faces nothing. docs/theory.md section 5.11
     pub fn unseen_depth(&self, face: &MortarFace<'_, f64>, segments: &[Segment]) -> Option<f64> {
         let (slave, ends) = (face.curve(), self.ends?);
         let gap = |(place, t): (usize, f64)| {
