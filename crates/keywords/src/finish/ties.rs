@@ -9,7 +9,7 @@
 mod master;
 mod means;
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{HashMap, HashSet, VecDeque};
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::element::solid::smallest_jacobian;
@@ -36,10 +36,23 @@ pub(super) fn ties(draft: &mut Draft) {
     let prescribed = super::steps::prescribed(draft);
     // a node that two ties name follows the first; where one moved, the tie that moved it
     let mut tied = HashMap::new();
-    for tie in &ties {
-        one(tie, &prescribed, &mut tied, draft);
+    let mut left: VecDeque<&Tie> = ties.iter().collect();
+    while let Some(tie) = left.pop_front() {
+        let (same, others) = left.into_iter().partition(|other| is_one_with(tie, other));
+        left = others;
+        one((tie, &same), &prescribed, &mut tied, draft);
     }
     moved(&tied, draft);
+}
+
+/// Whether faces of one slave surface are tied to two masters in the same way: those that lie upon both
+/// take their means over both.
+fn is_one_with(tie: &Tie, other: &Tie) -> bool {
+    tie.by_faces
+        && other.by_faces
+        && tie.slave.name == other.slave.name
+        && tie.adjust == other.adjust
+        && tie.tolerance == other.tolerance
 }
 
 /// Complains about elements that the moving of nodes onto their masters has turned inside out.
@@ -82,13 +95,16 @@ fn masters(tie: &Tie, draft: &mut Draft) -> Vec<Master> {
     masters
 }
 
+/// A tie, with others of the same slave.
 fn one(
-    tie: &Tie,
+    (tie, same): (&Tie, &VecDeque<&Tie>),
     prescribed: &HashSet<(NodeIndex, Dof)>,
     tied: &mut HashMap<NodeIndex, Option<Span>>,
     draft: &mut Draft,
 ) {
-    let masters = masters(tie, draft);
+    let all = std::iter::once(tie).chain(same.iter().copied());
+    let names: Vec<&str> = all.clone().map(|own| own.master.name.as_str()).collect();
+    let masters: Vec<Master> = all.flat_map(|own| masters(own, draft)).collect();
     let Some(slave) = draft.surface(&tie.slave) else { return };
     if masters.is_empty() {
         return;
@@ -123,7 +139,7 @@ fn one(
     }
     if let Some(&first) = left.first() {
         let label = draft.model.nodes.label(first);
-        let (slave, master) = (&tie.slave.name, &tie.master.name);
+        let (slave, master) = (&tie.slave.name, names.join(" and "));
         let message = match left.len() {
             1 => format!("node {label} of {slave} lies too far from {master} and is not tied"),
             count => format!(
@@ -178,7 +194,7 @@ fn slave_faces(tie: &Tie, slave: &NamedSurface, draft: &mut Draft) -> Vec<Vec<No
 }
 
 /// The rows of nodes that follow means, where faces are tied to faces. What has a support, or its own
-/// axes and a support, follows the nearest place.
+/// axes and a support, follows the nearest place, and so does what others of the faces follow already.
 fn of_faces(
     slaves: &[Vec<NodeIndex>],
     masters: (&[Master], Option<f64>),
@@ -186,7 +202,8 @@ fn of_faces(
     draft: &Draft,
 ) -> Means {
     let held: HashSet<NodeIndex> = prescribed.iter().map(|(node, _)| *node).collect();
-    let tied: HashSet<NodeIndex> = near.iter().map(|own| own.node).collect();
+    let mut tied: HashSet<NodeIndex> = near.iter().map(|own| own.node).collect();
+    followed_within(slaves, draft).iter().for_each(|node| _ = tied.remove(node));
     let follows = |node: NodeIndex, axis: usize| {
         let dof = draft.model.directions().get(axis);
         let held_here = match draft.axes_of(node) {
@@ -196,6 +213,16 @@ fn of_faces(
         tied.contains(&node) && !held_here
     };
     means(slaves, masters, follows, draft)
+}
+
+/// Nodes of slave faces that others of the same faces follow, where an earlier tie ends within a face: means
+/// have parts of those, and would follow themselves.
+fn followed_within(slaves: &[Vec<NodeIndex>], draft: &Draft) -> HashSet<NodeIndex> {
+    let own: HashSet<NodeIndex> = slaves.iter().flatten().copied().collect();
+    let constraints = draft.model.linear_constraints.iter();
+    let within = constraints.filter(|constraint| own.contains(&constraint.dependent.0));
+    let terms = within.flat_map(|constraint| &constraint.terms).map(|&(node, ..)| node);
+    terms.filter(|node| own.contains(node)).collect()
 }
 
 /// Advises where nodes that are tied one by one hand a pressure on to the wrong nodes.
@@ -232,8 +259,17 @@ fn nearest_shares(own: &TiedNode, masters: &[Master]) -> Shares {
     masters[own.master].nodes.iter().copied().zip(own.near.shapes).collect()
 }
 
-/// Moves slave nodes onto the master: to where what they follow is.
+/// Moves slave nodes onto the master: to where what they follow is. Means have parts of nodes that
+/// follow the nearest place, which move first.
 fn adjust(near: &[TiedNode], means: &Means, draft: &mut Draft) {
+    for own in near {
+        let at = draft.model.nodes.position(own.node);
+        let nearest = |axis: usize| match means[axis].contains_key(&own.node) {
+            true => at[axis],
+            false => own.near.place[axis],
+        };
+        draft.model.nodes.place(own.node, std::array::from_fn(nearest));
+    }
     let place = |own: &TiedNode, axis: usize| match means[axis].get(&own.node) {
         Some(row) => row
             .iter()

@@ -379,6 +379,33 @@ fn ties_do_not_fold_elements() {
     assert_eq!(tie(", POSITION TOLERANCE=-0.5"), ["SL0210"]);
 }
 
+/// Requirement: faces of a slave that lie upon two masters, in two ties, take their means over both, and every
+/// node stands where what it follows is; where the slaves have only some faces in common, no node
+/// follows itself.
+#[test]
+fn faces_lie_upon_the_masters_of_two_ties() {
+    let other = "*NODE\n11, 1.0, 1.02\n12, 1.7, 1.02\n13, 2.4, 1.02\n14, 3.0, 1.02\n\
+        21, 1.0, 2.0\n22, 1.7, 2.0\n23, 2.4, 2.0\n24, 3.0, 2.0\n\
+        *ELEMENT, TYPE=CPS4, ELSET=C\n11, 11, 12, 22, 21\n12, 12, 13, 23, 22\n13, 13, 14, 24, 23\n\
+        *SOLID SECTION, ELSET=C, MATERIAL=M\n2.0\n*SURFACE, NAME=LOW\nC, S1\n\
+        *SURFACE, NAME=LOWER\n12, S1\n13, S1\n*SURFACE, NAME=MA\nA, S3\n*SURFACE, NAME=MB\nB, S3\n";
+    let tied = |first: &str, second: &str| {
+        let ties = format!("*TIE, NAME=T\n{first}, MA\n*TIE, NAME=U\n{second}, MB\n");
+        deck(&format!("{other}{ties}{}", step("*CLOAD\n6, 1, 1.0")), &[])
+    };
+    assert_eq!(codes(&tied("LOW", "LOW"), A), [""; 0]);
+    let model = model(&tied("LOW", "LOW"), A);
+    assert_eq!(model.linear_constraints.len(), 8);
+    for own in &model.linear_constraints {
+        let axis = own.dependent.1 as usize;
+        let at = |node| model.nodes.position(node)[axis];
+        let followed: f64 = own.terms.iter().map(|&(node, _, share)| share * at(node)).sum();
+        assert!((at(own.dependent.0) - followed).abs() < 1e-14, "{own:?}");
+    }
+    assert_eq!(codes(&tied("LOW", "LOWER"), A), [""; 0]);
+    assert_eq!(codes(&tied("LOWER", "LOW"), A), [""; 0]);
+}
+
 /// Requirement: SHIFTX and SHIFTY move every kind of curve; a load that follows a curve over the
 /// total time follows it through the steps. Source: both manuals, `*AMPLITUDE`.
 #[test]
