@@ -7,7 +7,7 @@
 //!
 //! docs/theory.md section 4.11
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 use slideline_mech::contact::pair::mortar_faces::{Cover, FaceEnds, FacePlaces, Faced};
 use slideline_mech::contact::pair::{TiedFace, own_part, share_of_corner};
@@ -66,7 +66,7 @@ pub(super) fn misplaced(
     shares: &HashMap<NodeIndex, Shares>,
     draft: &Draft,
 ) -> f64 {
-    let mut off: HashMap<NodeIndex, f64> = HashMap::new();
+    let mut off: BTreeMap<NodeIndex, f64> = BTreeMap::new();
     let mut whole = 0.0;
     for own in slaves(faces, (masters, tolerance), draft) {
         let (forces, of_master) = own.tied.pressed();
@@ -184,8 +184,11 @@ fn rows(
     let mean = |(area, shares): (f64, Shares)| {
         shares.into_iter().map(|(node, share)| (node, share / area)).collect::<Shares>()
     };
-    let mut rows: HashMap<NodeIndex, Shares> =
-        sums.into_iter().map(|(node, sum)| (node, mean(sum))).collect();
+    let mut rows: HashMap<NodeIndex, Shares> = sums
+        .into_iter()
+        .filter(|(_, (area, _))| *area > 0.0)
+        .map(|(node, sum)| (node, mean(sum)))
+        .collect();
     middle_nodes(slaves, &mut rows);
     rows
 }
