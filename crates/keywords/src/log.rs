@@ -21,6 +21,8 @@ pub(crate) struct Log {
     /// The deck has `*PARAMETER`, which has been said: values in `<...>` are
     /// not complained about.
     pub has_parameters: bool,
+    /// Where a name of a parameter was replaced: the place, the name and the value.
+    pub values: Vec<(Span, String, String)>,
 }
 
 impl Log {
@@ -28,8 +30,29 @@ impl Log {
         if let Some(said) = self.instances.in_words(&diagnostic.message) {
             diagnostic.message = said;
         }
+        if diagnostic.severity == Severity::Error && self.names_to_compare() > 0 {
+            let values = self.values_at(diagnostic.span);
+            if !values.is_empty() {
+                diagnostic.message = format!("{} ({values})", diagnostic.message);
+            }
+        }
         self.errors += usize::from(diagnostic.severity == Severity::Error);
         self.listing.push(diagnostic);
+    }
+
+    /// The values of the parameters that a place names: `width = 0`.
+    fn values_at(&self, place: Option<Span>) -> String {
+        let Some(place) = place else { return String::new() };
+        let within =
+            |own: &Span| own.file == place.file && place.start <= own.start && own.end <= place.end;
+        let mut values: Vec<String> = Vec::new();
+        for (_, name, value) in self.values.iter().filter(|(span, ..)| within(span)) {
+            let value = format!("{name} = {value}");
+            if !values.contains(&value) {
+                values.push(value);
+            }
+        }
+        values.join(", ")
     }
 
     pub fn error(&mut self, code: &'static str, message: impl Into<String>, span: Span) {
@@ -70,6 +93,11 @@ impl Log {
     /// Whether this is the first time that `what` comes up.
     pub fn first_time(&mut self, what: &str) -> bool {
         self.said.insert(what.to_owned())
+    }
+
+    /// Whether `what` came up before.
+    pub fn was_said(&self, what: &str) -> bool {
+        self.said.contains(what)
     }
 
     pub fn into_diagnostics(self) -> Vec<Diagnostic> {

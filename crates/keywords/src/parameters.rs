@@ -45,7 +45,10 @@ fn replaced(text: &str, span: Span, draft: &mut Draft) -> Option<String> {
         };
         whole.push_str(before);
         match draft.parameters.get(name).map(Value::text) {
-            Some(value) => whole.push_str(&value),
+            Some(value) => {
+                whole.push_str(&value);
+                draft.log.values.push((span, name.to_owned(), value));
+            }
             None => {
                 unknown(name, span, draft);
                 return None;

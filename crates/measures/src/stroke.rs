@@ -18,9 +18,10 @@ pub struct Taken {
     pub at: f64,
     /// Its place in the curve.
     pub place: usize,
-    /// The smaller change of the force to its neighbours, relative to it [-]:
-    /// what may have been missed between two increments. Zero at the end of a
-    /// way, where the deck says what the displacement is.
+    /// What may have been missed between two increments, relative to the force
+    /// [-]: the smaller change to its neighbours, or how much higher the lines
+    /// of both flanks meet. Zero at the end of a way, where the deck says what
+    /// the displacement is.
     pub step: f64,
 }
 
@@ -113,14 +114,37 @@ pub fn stroke(motion: &[f64], reaction: &[f64]) -> Option<Stroke> {
 }
 
 /// The smaller change of the reaction from a place to its neighbours on the
-/// same way, relative to the reaction there.
+/// same way, or how much higher the flanks beside it meet, relative to the
+/// reaction there.
 fn step_at(points: &[(f64, f64)], place: usize) -> f64 {
     let Some(&(_, after)) = points.get(place + 1) else { return 0.0 };
     let [(u0, before), (u1, here)] = [points[place - 1], points[place]];
     if (points[place + 1].0 - u1) * (u1 - u0) <= 0.0 || here == 0.0 {
         return 0.0;
     }
-    (here - before).abs().min((here - after).abs()) / here.abs()
+    let change = (here - before).abs().min((here - after).abs()) / here.abs();
+    let flanks = |first: Option<usize>| first.map_or(0.0, |first| meet(points, first, here));
+    change.max(flanks(Some(place - 1))).max(flanks(place.checked_sub(2)))
+}
+
+/// How much higher than the peak the line through the first two of four
+/// neighbours and that through the last two meet between them, relative to the
+/// peak; zero where they do not, or the four are not on one way.
+fn meet(points: &[(f64, f64)], first: usize, peak: f64) -> f64 {
+    let Some(&[a, b, c, d]) = points.get(first..first + 4) else { return 0.0 };
+    let width = c.0 - b.0;
+    if (b.0 - a.0) * width <= 0.0 || (d.0 - c.0) * width <= 0.0 {
+        return 0.0;
+    }
+    // along the middle interval, in units of the peak
+    let rise = (b.1 - a.1) / (b.0 - a.0) * width / peak;
+    let fall = (c.1 - d.1) / (d.0 - c.0) * width / peak;
+    let part = ((c.1 - b.1) / peak + fall) / (rise + fall);
+    if rise > 0.0 && fall > 0.0 && (0.0..=1.0).contains(&part) {
+        (b.1 / peak + rise * part - 1.0).max(0.0)
+    } else {
+        0.0
+    }
 }
 
 #[cfg(test)]
@@ -170,8 +194,15 @@ mod tests {
         let coarse = judged([0.0, -2.0, -8.0, -3.0, 1.0, 12.0, 4.0]);
         assert_eq!(coarse.push.map(|t| t.step), Some(0.625));
         assert_eq!(coarse.pull.map(|t| t.step), Some(8.0 / 12.0));
-        let jump = judged([0.0, -7.9, -8.0, 2.0, 12.0, 11.4, 0.0]);
-        assert!(jump.push.is_some_and(|t| (t.step - 0.0125).abs() < 1e-12));
+        let way = [0.0, 1.0, 2.0, 3.0, 4.0];
+        let jump = stroke(&way, &[0.0, 7.8, 7.9, 8.0, -2.0]).unwrap();
+        assert!(jump.push.is_some_and(|t| t.step < 0.02));
+        // two equal values beside a peak: its flanks meet higher
+        let motion = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0];
+        let between = stroke(&motion, &[0.0, 0.25, 1.0, 1.0, 0.25, 0.0]).unwrap();
+        assert_eq!(between.push.map(|t| t.step), Some(0.375));
+        let flat = stroke(&motion, &[0.0, 0.0, 1.0, 1.0, 1.0, 0.0]).unwrap();
+        assert_eq!(flat.push.map(|t| t.step), Some(0.0));
         let end = stroke(&MOTION[..4], &[0.0, -1.0, -4.0, -16.0]).unwrap();
         assert_eq!(end.push.map(|t| t.step), Some(0.0));
     }

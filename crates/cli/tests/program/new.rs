@@ -47,6 +47,47 @@ fn every_kind_runs_as_it_is() {
     }
 }
 
+/// Requirement: a deck does in any set of units what its head says: with all parameters in metres
+/// and pascals the largest force is the same in newtons, the largest moment a thousandth.
+#[test]
+fn every_kind_runs_in_other_units() {
+    let folder = folder("units");
+    let kinds = [
+        ("snap-fit", "100", "RF1", 1.0),
+        ("annular", "9000", "RF2", 1.0),
+        ("cam", "100", "RM3", 1.0e-3),
+        ("leaf-switch", "100", "RF2", 1.0),
+        ("battery-spring", "100", "RF2", 1.0),
+    ];
+    for (kind, node, column, factor) in kinds {
+        slideline(&folder, &["new", kind]);
+        slideline(&folder, &["run", kind, "--no-html"]);
+        let deck = std::fs::read_to_string(folder.join(format!("{kind}.inp"))).unwrap();
+        let other: Vec<String> = deck.lines().map(in_metres).collect();
+        std::fs::write(folder.join("metres.inp"), other.join("\n")).unwrap();
+        let (_, said, errors) = slideline(&folder, &["run", "metres", "--no-html"]);
+        assert!(said.contains("verdict: green\n"), "{kind}: {said}{errors}");
+        let largest = |job: &str| {
+            let [low, high] = extremes(&folder, job, node, column);
+            high.max(-low)
+        };
+        let (own, other) = (factor * largest(kind), largest("metres"));
+        assert!(own > 0.0 && (own - other).abs() < 1e-6 * own, "{kind}: {own}, {other}");
+    }
+}
+
+/// A line of a deck with its value in metres or pascals.
+fn in_metres(line: &str) -> String {
+    let factor = match line {
+        _ if line.contains("[mm]") => 1.0e-3,
+        _ if line.contains("[MPa]") => 1.0e6,
+        _ => return line.to_owned(),
+    };
+    let (name, rest) = line.split_once(" = ").unwrap();
+    let value: f64 = rest.split('#').next().unwrap().trim().parse().unwrap();
+    format!("{name} = {:?}", value * factor)
+}
+
 /// Requirement: every parameter of a deck may be set for one run, and the geometry follows: with
 /// each a fifth larger the deck still runs to its end.
 #[test]
@@ -66,6 +107,10 @@ fn parameters_can_be_set() {
             assert_eq!(code, Some(0), "{kind} {set}: {errors}");
         }
     }
+    // whole numbers in a ratio
+    let whole = ["--set", "round=3", "--set", "bead=1", "--set", "wall=3"];
+    let (code, _, errors) = slideline(&folder, &[&["check", "annular"][..], &whole].concat());
+    assert_eq!(code, Some(0), "{errors}");
 }
 
 /// Requirement: parameters do what they say. An arm of half the length is stiffer: by the beam

@@ -63,11 +63,37 @@ fn define(line: &DataLine, draft: &mut Draft) {
             draft.parameters.insert(name.to_owned(), value);
         }
         Err(why) => {
+            let own = format!("parameter {name}");
+            // what follows from one without a value is not complained about as well
+            if names(value).any(|used| draft.log.was_said(&format!("parameter {used}"))) {
+                draft.log.first_time(&own);
+                return;
+            }
             // one that is used is not complained about once more
-            draft.log.first_time(&format!("parameter {name}"));
-            broken(format!("the parameter {name} has no value: {why}"), line, draft);
+            draft.log.first_time(&own);
+            let mut with: Vec<String> = Vec::new();
+            for used in names(value) {
+                let Some(number) = draft.parameters.get(used) else { continue };
+                let one = format!("{used} = {}", number.text());
+                if !with.contains(&one) {
+                    with.push(one);
+                }
+            }
+            let with = if with.is_empty() {
+                String::new()
+            } else {
+                format!(" (with {})", with.join(", "))
+            };
+            broken(format!("the parameter {name} has no value: {why}{with}"), line, draft);
         }
     }
+}
+
+/// The names in an expression, functions among them.
+fn names(expression: &str) -> impl Iterator<Item = &str> {
+    expression
+        .split(|letter: char| !(letter.is_alphanumeric() || letter == '_'))
+        .filter(|word| is_name(word))
 }
 
 fn broken(message: String, line: &DataLine, draft: &mut Draft) {

@@ -83,6 +83,23 @@ fn settings_that_cannot_be() {
     assert_eq!(said(&broken, &[("half", "0.5")]).0, "SL0286");
 }
 
+/// Requirement: an error at a value behind a name says the name and the value, and what follows from
+/// a parameter without a value is not complained about as well.
+#[test]
+fn errors_say_the_values_of_parameters() {
+    let messages = |deck: &str, settings: &[(&str, &str)]| {
+        errors(&set(deck, settings)).iter().map(|own| own.message.clone()).collect::<Vec<_>>()
+    };
+    let said = messages(DECK, &[("modulus", "0")]);
+    assert_eq!(said, ["Young's modulus must be positive (modulus = 0)"]);
+    let chain = "half = 1.0/length\nquarter = half/2.0\neighth = quarter/2.0\n";
+    let broken = DECK.replace("half = length/2\n", chain);
+    let said = messages(&broken, &[("length", "0")]);
+    assert_eq!(said.len(), 1, "{said:?}");
+    let own = "the parameter half has no value: it is divided by zero (with length = 0)";
+    assert_eq!(said[0], own);
+}
+
 /// The deck with a name in place of every number, and the values of the names at its head.
 fn behind_names(parsed: &Parsed) -> Vec<u8> {
     let mut values = String::from("*PARAMETER\n");
