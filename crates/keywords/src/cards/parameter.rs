@@ -69,7 +69,7 @@ fn define(line: &DataLine, draft: &mut Draft) {
                 draft.log.first_time(&own);
                 return;
             }
-            // one that is used is not complained about once more
+            // and one that is used later is not complained about once more
             draft.log.first_time(&own);
             let mut with: Vec<String> = Vec::new();
             for used in names(value) {

@@ -282,8 +282,8 @@ fn adjust(near: &[TiedNode], means: &Means, draft: &mut Draft) {
     places.into_iter().for_each(|(node, place)| draft.model.nodes.place(node, place));
 }
 
-/// Makes the displacements of a node follow a mean or the nearest face. A dof that is prescribed on both sides of the
-/// tie is left to its support.
+/// Makes the displacements of a node follow a mean or the nearest face. A dof that is prescribed on
+/// both sides of the tie is left to its support.
 fn follow(
     tie: &Tie,
     own: &TiedNode,

@@ -159,6 +159,21 @@ fn a_bar_on_a_floor_names_all_its_nodes_and_what_is_left() {
     assert!(left > 0.0 && left < 0.05 * 1e-4, "{}", why.message);
 }
 
+/// Requirement: where increments were short already, a point that goes through its master is not told to
+/// take shorter ones. The deck's only increment is moved to the first ten-millionth of its step.
+#[test]
+fn shorter_increments_are_not_asked_for_where_they_are_short() {
+    let deck = std::fs::read_to_string(folder().join("SL0519-one-increment.inp")).unwrap();
+    let deck = deck.replace("*STATIC\n1.0, 1.0, 1.0\n", "*STATIC\n1.0, 1.0E7, 1.0\n");
+    let deck = deck.replace("*STEP", "*AMPLITUDE, NAME=AT-ONCE\n0.0, 0.0, 1.0, 1.0\n*STEP");
+    let deck = deck.replace("*BOUNDARY\n1, 1, 6", "*BOUNDARY, AMPLITUDE=AT-ONCE\n1, 1, 6");
+    let Ending::NotConverged(_, diagnosis) = ending(&deck) else { panic!() };
+    assert_eq!(diagnosis.code.0, "SL0519", "{diagnosis:?}");
+    let text = format!("{diagnosis:?}");
+    assert!(text.contains("shorter increments will not mend it"), "{text}");
+    assert!(!text.contains("begin *STATIC"), "{text}");
+}
+
 /// The wedge: walls at 45 degrees through the origin, nodes half a length to
 /// the left and right, 0.6 high; pushed to 0.5 both walls close, at t = 0.5.
 /// Beyond, either wall takes half of the excess: over sqrt 2.
