@@ -144,7 +144,9 @@ fn note_nearest(number: usize, face: &SlaveFace, u: &[f64], edges: &mut [EdgePla
             continue;
         }
         let near = kind.nearest(&x, place.at);
-        if place.nearest.is_some_and(|other| other.distance <= near.distance) {
+        // what stands farther off lies in the box or not by how the model is turned
+        let is_near = near.distance <= long;
+        if !is_near || place.nearest.is_some_and(|other| other.distance <= near.distance) {
             continue;
         }
         let behind = dot(sub(near.place, place.at), normal) / size(normal);
