@@ -3,6 +3,7 @@
 use crate::amplitude::Amplitude;
 use crate::contact::ContactPair;
 use crate::dialect::Dialect;
+use crate::edges::EdgePair;
 use crate::element::block::{Allowable, ElementBlock};
 use crate::initial_stress::{InitialHardening, InitialStress};
 use crate::kept_shape::KeptShape;
@@ -42,6 +43,8 @@ pub struct Model {
     pub shapes: Vec<KeptShape>,
     /// Contact pairs.
     pub contact_pairs: Vec<ContactPair>,
+    /// Sharp edges of their surfaces ([`Model::find_edges`]).
+    pub edge_pairs: Vec<EdgePair>,
     /// When friction is called after a change of contact.
     pub friction_onset: Onset,
     /// Temperatures before the first step, a node each; empty: all are zero.

@@ -45,6 +45,7 @@ pub fn refine(model: &Model) -> Result<Model, Box<Diagnostic>> {
     }
     halving.sets(model);
     temperatures::fill(&mut halving.model, &halving.added)?;
+    halving.model.find_edges();
     Ok(halving.model)
 }
 

@@ -23,7 +23,7 @@ pub fn pair_rows(
     (rows, sums): (&mut Vec<PairRow>, &mut Vec<Sum>),
 ) {
     rows.clear();
-    rows.resize(plan.contact.pair_count(), PairRow::default());
+    rows.resize(plan.contact.own_pairs(), PairRow::default());
     for (place, row) in contact.iter().enumerate() {
         let is_closed = row.status != Status::Open;
         let was_closed = closed.get(place).is_some_and(|&closed| closed);
@@ -34,11 +34,13 @@ pub fn pair_rows(
     sums.clear();
     sums.resize(rows.len(), Sum::default());
     for (place, (point, now)) in points.filter(|(_, (_, now))| now.closed) {
-        let row = &mut rows[point.pair];
+        let pair = plan.contact.parent(point.pair);
+        let row = &mut rows[pair];
         let kinematics = work.evaluation.kinematics.at(place);
         let standoff = plan.contact.standoff_of(point);
         match point.is_spread() {
             true => row.press_faces(plan, state, (point.pair, now), &kinematics),
+            false if plan.contact.is_edge(place) => row.press_edge(plan, place, now, &kinematics),
             false if point.is_node() => {
                 row.press_node(plan, (point.node, standoff), now, &kinematics);
             }
@@ -49,7 +51,7 @@ pub fn pair_rows(
         if -now.opening > row.penetration {
             (row.penetration, row.deepest) = (-now.opening, Some(point.node));
         }
-        sums[point.pair].add(plan, state, now, &kinematics);
+        sums[pair].add(plan, state, now, &kinematics);
     }
     for own in plan.contact.unseen(&work.evaluation.kinematics) {
         (rows[own.pair].unseen_depth, rows[own.pair].unseen) = (own.depth, Some(own.node));
@@ -72,8 +74,7 @@ impl PairRow {
         self.cover(point);
     }
 
-    /// The same of a slave node: the force as it is assembled at it, which on a master whose corners
-    /// are smoothed is not quite along its normal.
+    /// The same of a slave node.
     fn press_node(
         &mut self,
         plan: &Problem<'_>,
@@ -81,22 +82,23 @@ impl PairRow {
         point: &PointState,
         kinematics: &PointRows<'_>,
     ) {
-        let (normal, tangential) = (point.area * point.pressure, point.area * point.traction);
-        let rows = kinematics.rows;
-        let mut forces = [[0.0; 3]; 2];
-        for (k, &own) in rows.unknowns.iter().enumerate() {
-            let (node, dof) = plan.dofs.name(own);
-            if node != slave || dof.is_rotation() {
-                continue;
-            }
-            let axis = dof as usize % 3;
-            // rows are by overclosure, which falls along the force
-            forces[0][axis] -= normal * rows.normal()[k];
-            let rubbed = (0..rows.directions()).map(|way| tangential[way] * rows.force(way)[k]);
-            forces[1][axis] -= rubbed.sum::<f64>();
-        }
+        let forces = forces_at(plan, slave, point, kinematics);
         self.act(surface_of(point, standoff), forces);
         self.cover(point);
+    }
+
+    /// The same of a sharp edge, which has no area. That of the master is pressed by the slave.
+    fn press_edge(
+        &mut self,
+        plan: &Problem<'_>,
+        place: usize,
+        point: &PointState,
+        kinematics: &PointRows<'_>,
+    ) {
+        let own = &plan.contact.points[place];
+        let sign = if plan.contact.is_reversed(own.pair) { -1.0 } else { 1.0 };
+        let forces = forces_at(plan, own.node, point, kinematics);
+        self.act(point.position, forces.map(|force| force.map(|own| sign * own)));
     }
 
     /// The same of a point that is spread over faces: forces as they act on the nodes of the slave,
@@ -159,6 +161,31 @@ impl PairRow {
             self.mean_normal = self.mean_normal.map(|sum| sum / self.area);
         }
     }
+}
+
+/// Forces of pressure and of friction on the node of a point as they are assembled at it, which on a master
+/// whose corners are smoothed are not quite along its normal and its tangents [F].
+fn forces_at(
+    plan: &Problem<'_>,
+    slave: NodeIndex,
+    point: &PointState,
+    kinematics: &PointRows<'_>,
+) -> [[f64; 3]; 2] {
+    let (normal, tangential) = (point.area * point.pressure, point.area * point.traction);
+    let rows = kinematics.rows;
+    let mut forces = [[0.0; 3]; 2];
+    for (k, &own) in rows.unknowns.iter().enumerate() {
+        let (node, dof) = plan.dofs.name(own);
+        if node != slave || dof.is_rotation() {
+            continue;
+        }
+        let axis = dof as usize % 3;
+        // rows are by overclosure, which falls along the force
+        forces[0][axis] -= normal * rows.normal()[k];
+        let rubbed = (0..rows.directions()).map(|way| tangential[way] * rows.force(way)[k]);
+        forces[1][axis] -= rubbed.sum::<f64>();
+    }
+    forces
 }
 
 /// Length of a vector.

@@ -11,7 +11,7 @@
 //! was never left: an increment depends on nothing but these values and the
 //! model. [derived]
 
-use crate::contact::{point_count, state_size};
+use crate::contact::contact_sizes;
 use crate::dofs::DofMap;
 use crate::increments::Control;
 use crate::observe::reports::Totals;
@@ -21,7 +21,7 @@ use crate::state::State;
 use crate::structure::Reference;
 use serde::{Deserialize, Serialize};
 use slideline_mech::element::Temperature;
-use slideline_model::{ContactPair, Model};
+use slideline_model::Model;
 use std::borrow::Cow;
 
 /// No run counts so far.
@@ -99,9 +99,7 @@ impl Checkpoint<'_> {
     /// steps, and an increment that can be tried.
     pub fn fits(&self, model: &Model) -> bool {
         let dofs = DofMap::new(model).len();
-        let points = model.contact_pairs.iter().map(point_count).sum::<usize>();
-        let state_variables = |pair: &ContactPair| point_count(pair) * state_size(pair);
-        let state_variables = model.contact_pairs.iter().map(state_variables).sum::<usize>();
+        let [points, state_variables] = contact_sizes(model);
         let state = &self.state;
         let vectors = [
             &state.displacement[..],

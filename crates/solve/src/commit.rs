@@ -116,7 +116,7 @@ pub fn locate_points(
         contact.stay_behind(before, &committed.points, kinematics);
     }
     for (point, kinematics) in committed.points.iter_mut().zip(kinematics.points()) {
-        point.opening = -kinematics.overclosure;
+        (point.opening, point.allowed) = (-kinematics.overclosure, kinematics.allowed);
         point.along = kinematics.faces.then_some(kinematics.along);
         point.position = kinematics.position;
         point.normal = kinematics.normal;

@@ -17,7 +17,7 @@ pub use coupling::Coupling;
 pub use outline::{Part, PlanMismatch};
 
 use crate::constraints::ConstraintNumbering;
-use crate::contact::{Contact, point_count, state_size};
+use crate::contact::Contact;
 use crate::dofs::DofMap;
 use crate::structure::ElementNumbering;
 use crate::users::UserFrictions;
@@ -86,16 +86,13 @@ impl Plan {
             StepNumbering { constraints, dependent, coupling }
         };
         let steps = constraints.into_iter().map(number).collect();
-        let points = model.contact_pairs.iter().map(point_count).sum();
-        let state_variables =
-            model.contact_pairs.iter().map(|pair| point_count(pair) * state_size(pair)).sum();
         Self(Arc::new(Numbering {
             outline: Outline::of(model),
             absent: model.steps.iter().map(|own| elements.absent(&own.presence.absent)).collect(),
             elastic: elements.touched(dofs.len()),
             dofs,
             elements,
-            sizes: [points, state_variables, model.element_states()],
+            sizes: [contact.points.len(), contact.state_size, model.element_states()],
             steps,
             of_step,
         }))

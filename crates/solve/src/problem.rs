@@ -22,7 +22,7 @@ use slideline_linalg::{Kind, Pattern, Solver};
 use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::pair::Laws;
 use slideline_mech::turn::Turn;
-use slideline_model::{Model, Step};
+use slideline_model::{ContactPair, Model, Step};
 
 /// Everything about a step that does not change from increment to increment.
 #[derive(Clone, Copy)]
@@ -77,6 +77,11 @@ pub struct Means<'a> {
 }
 
 impl<'a> Problem<'a> {
+    /// The pair of the model that a contact point belongs to, or whose edge it is.
+    pub fn pair_of(&self, place: usize) -> &'a ContactPair {
+        &self.model.contact_pairs[self.contact.parent(self.contact.points[place].pair)]
+    }
+
     /// A step of a model, by its index, that begins from `start`: with the values that were
     /// taken from the model, and a coupling of the plan.
     pub fn new(

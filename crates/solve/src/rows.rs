@@ -10,6 +10,7 @@ use crate::contact::{Contact, SEGMENT_POINTS, SlaveSegment};
 use crate::dofs::DofMap;
 use crate::observe::results::{ContactRow, FrictionCall, Status};
 use crate::state::{PointState, State};
+use slideline_mech::vector::dot;
 use slideline_model::{Formulation, Model, NodeIndex};
 
 /// Fills the rows of a committed state, pair by pair; sums of nodes are scratch.
@@ -31,6 +32,39 @@ pub fn contact_rows(
                 rows.extend(gathered.drain(..).map(Gathered::finish));
             }
         }
+    }
+    hand_edges_over(contact, state, rows);
+}
+
+/// Hands what sharp edges carry over to the rows of the slave nodes about them, whose forces it is.
+fn hand_edges_over(contact: &Contact, state: &State, rows: &mut [ContactRow]) {
+    for place in contact.places_of_edges().filter(|&place| state.points[place].closed) {
+        let (now, pair) = (&state.points[place], contact.points[place].pair);
+        let parent = contact.parent(pair);
+        let first_row = rows.partition_point(|row| row.pair < parent);
+        let first_point = contact.points.partition_point(|point| point.pair < parent);
+        let sign = if contact.is_reversed(pair) { -1.0 } else { 1.0 };
+        let shear = now.directions().map(|way| way.map(|own| sign * own));
+        contact.spread_edge(place, now, |slave, share| {
+            let Some(row) = rows.get_mut(first_row + slave - first_point) else { return };
+            if !row.opening.is_finite() {
+                (row.directions, row.normal) = (shear, now.normal.map(|own| sign * own));
+            }
+            let part = share * now.area / row.area;
+            row.pressure += part * now.pressure;
+            for (way, into) in row.directions.into_iter().zip(&mut row.shear.0) {
+                *into += part * (now.traction[0] * dot(shear[0], way) + now.traction[1] * dot(shear[1], way));
+            }
+            row.dropped_work += share * now.dropped_work;
+            row.ever_closed = true;
+            row.opening = row.opening.min(now.opening);
+            if row.status != Status::Slip {
+                row.status = now.status;
+            }
+            if row.friction != FrictionCall::Dropped && now.friction != FrictionCall::None {
+                row.friction = now.friction;
+            }
+        });
     }
 }
 

@@ -73,6 +73,8 @@ pub struct PointState {
     pub traction: Tangential,
     /// Gap, open positive [L].
     pub opening: f64,
+    /// Overclosure that is allowed, from which the gap counts [L].
+    pub allowed: f64,
     /// Coordinates along the master [L]; `None` where it faces none.
     pub along: Option<Tangential>,
     /// Elastic slip [L].

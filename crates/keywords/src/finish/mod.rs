@@ -103,5 +103,6 @@ pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     temperatures::without_expansion(draft);
     steps::steps(draft, steps_doubted);
     renumber(&mut draft.model);
+    draft.model.find_edges();
     std::mem::take(&mut draft.model)
 }

@@ -120,7 +120,8 @@ impl Contact {
         // what slid round a body without leaving it
         for (place, (before, now)) in sweep.before.iter().zip(sweep.now).enumerate() {
             let turned = dot(before.normal, now.normal) < 0.0;
-            if before.closed && now.closed && turned && !self.points[place].is_integration_point() {
+            let may_slide = !self.points[place].is_integration_point() && !self.is_edge(place);
+            if before.closed && now.closed && turned && may_slide {
                 consider(place, &[]);
             }
         }
@@ -145,7 +146,7 @@ impl Contact {
             }
             let [from, to] = &mut scratch.chains;
             self.fit_ways(from, to);
-            for pair in 0..self.masters.len() {
+            for pair in 0..self.own_pairs() {
                 self.cross_pair(pair, (part, parts), scratch);
             }
         }

@@ -56,7 +56,7 @@ impl Contact {
     /// The deepest sharp edge of a master that stands in a face between slave nodes, of pairs that are
     /// closed somewhere.
     pub fn edge_inside(&self, u: &[f64], points: &[PointState]) -> Option<EdgeInside> {
-        let pairs = (0..self.masters.len()).filter(|&pair| self.sharp[pair]);
+        let pairs = (0..self.own_pairs()).filter(|&pair| self.sharp[pair]);
         let closed = |pair: usize| {
             let own = self.points.iter().zip(points);
             own.into_iter().any(|(point, state)| {

@@ -134,6 +134,8 @@ impl Contact {
         let own = kinematics.rows.unknowns.iter().zip(kinematics.rows.normal());
         let closing: f64 = own.map(|(&dof, g)| g * (u[dof] - look.at[dof])).sum();
         let begins = self.laws[point.pair].normal.contact_begins();
-        begins - (kinematics.overclosure + closing) > ROOM * way
+        // what an edge is allowed may be less by now
+        let overclosure = kinematics.overclosure + kinematics.allowed;
+        begins - (overclosure + closing) > ROOM * way
     }
 }

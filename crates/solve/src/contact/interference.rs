@@ -99,6 +99,12 @@ impl Contact {
         of_line.map_or(0.0, |of_line| of_line + segment.offset.both())
     }
 
+    /// The overclosure that is allowed at a point of a node, by the step and by what an edge may do
+    /// unheld [L].
+    pub(super) fn allowed_of_node(&self, place: usize, before: Before<'_>) -> f64 {
+        self.allowed_at(place) + self.edge_allowance(place, before.points)
+    }
+
     /// The overclosure that is allowed at a point [L].
     pub(super) fn allowed_at(&self, place: usize) -> f64 {
         self.allowed.get(place).copied().unwrap_or(0.0)
@@ -107,7 +113,9 @@ impl Contact {
     /// Work that the parts are pressed apart with as less and less overclosure is allowed, by the
     /// trapezoidal rule [F L].
     pub fn interference_work(&self, committed: &State, trial: &State) -> f64 {
-        self.work_at_points(committed, trial) + self.work_along(committed, trial)
+        self.work_at_points(committed, trial)
+            + self.work_along(committed, trial)
+            + self.work_at_edges(committed, trial)
     }
 
     /// That of points which stay where they are on the slave.

@@ -1,5 +1,7 @@
 //! All contact pairs of a model: slave points, masters and laws.
 
+use super::edge_points::EdgePoints;
+use super::laws::state_size;
 use super::master::MasterSurface;
 use super::mortar::slave::Mortar;
 use super::mortar_faces::slave::FaceMortar;
@@ -11,7 +13,7 @@ use crate::state::PointState;
 use slideline_mech::contact::friction::FrictionLaw;
 use slideline_mech::contact::gap::offset::Offset;
 use slideline_mech::contact::pair::Laws;
-use slideline_model::{Allowed, Amplitude, ContactPair, Formulation, NodeIndex};
+use slideline_model::{Allowed, Amplitude, ContactPair, Formulation, Model, NodeIndex};
 
 /// What is allowed of overclosure at the points of a pair.
 #[derive(Clone, Debug)]
@@ -119,6 +121,8 @@ pub struct Contact {
     pub(super) spread_nodes: Vec<Vec<NodeIndex>>,
     /// Distance of neighbouring slave points, a pair each [L].
     pub(super) spacing: Vec<f64>,
+    /// Points of sharp edges: their pairs come behind those of the model.
+    pub(super) edge_points: Vec<EdgePoints>,
     /// Slave points that contact elements join, a list a pair.
     pub(super) edges: Vec<Vec<[usize; 2]>>,
     /// Pairs with rigid masters that share slave nodes.
@@ -140,17 +144,29 @@ pub fn point_count(pair: &ContactPair) -> usize {
     }
 }
 
+/// Number of contact points of a model, those of sharp edges among them, and of their state values of user
+/// friction laws.
+pub fn contact_sizes(model: &Model) -> [usize; 2] {
+    let pairs = model.contact_pairs.iter().map(|pair| (point_count(pair), pair));
+    let edges = model.edge_pairs.iter();
+    let edges = edges.map(|own| (own.nodes.len(), &model.contact_pairs[own.of]));
+    pairs.chain(edges).fold([0, 0], |[points, values], (count, pair)| {
+        [points + count, values + count * state_size(pair)]
+    })
+}
+
 impl Contact {
     /// Whether all points are nodes in the plane that obey laws of the house, with nothing allowed
     /// of their overclosures: their rows and tractions tell all of their motion.
     pub fn is_at_nodes_of_the_plane(&self) -> bool {
         self.directions == 1
             && self.allowances.is_empty()
+            && self.edge_points.is_empty()
             && self.points.iter().all(SlavePoint::is_node)
             && self.laws.iter().all(|laws| laws.user.is_none())
     }
 
-    /// Number of pairs.
+    /// Number of pairs, those of sharp edges among them.
     pub fn pair_count(&self) -> usize {
         self.keeps.len()
     }

@@ -42,6 +42,7 @@ impl Contact {
             face_mortars: Vec::new(),
             spacing: Vec::new(),
             spread_nodes: Vec::new(),
+            edge_points: Vec::new(),
             edges: Vec::new(),
             opposed: Vec::new(),
             chain_nodes: 0,
@@ -58,7 +59,7 @@ impl Contact {
             let length = mean_length(model, pair);
             contact.laws.push(laws::laws(model, pair, length, users));
             contact.keeps.push(pair.interaction.no_separation);
-            let master = contact.master(model, dofs, pair, length);
+            let master = contact.master(model, dofs, &pair.master, length);
             contact.chain_nodes += master.nodes().len();
             contact.spacing.push(laws::spacing(model, length, &master));
             contact.masters.push(master);
@@ -67,23 +68,26 @@ impl Contact {
             contact.take_seats(place, pair);
             contact.add_slave_faces(dofs, place, pair);
         }
+        model.edge_pairs.iter().for_each(|edges| contact.add_edges(model, dofs, edges));
         contact.take_bonds();
         contact.opposed = contact.opposed_pairs();
         contact.take_points(model);
         contact.take_segments(model);
+        contact.take_edges(model);
+        contact.follow_pairs(model);
         contact.take_slave_faces(model);
         contact
     }
 
     /// The master of a pair, whose nodes follow those of the masters before.
-    fn master(
+    pub(super) fn master(
         &self,
         model: &Model,
         dofs: &DofMap,
-        pair: &ContactPair,
+        said: &Master,
         length: f64,
     ) -> MasterSurface {
-        match &pair.master {
+        match said {
             Master::RigidSurface(surface) => MasterSurface::body(model, dofs, surface, length),
             Master::SlideLine(line) => {
                 MasterSurface::chain(model, dofs, line, (self.chain_nodes, length))
@@ -113,7 +117,7 @@ impl Contact {
     /// Pairs with rigid masters that share slave nodes.
     fn opposed_pairs(&self) -> Vec<[usize; 2]> {
         let rigid = |pair: &usize| matches!(self.masters[*pair], MasterSurface::Body { .. });
-        let pairs: Vec<usize> = (0..self.masters.len()).filter(rigid).collect();
+        let pairs: Vec<usize> = (0..self.own_pairs()).filter(rigid).collect();
         let mut opposed = Vec::new();
         for (k, &first) in pairs.iter().enumerate() {
             let own: HashSet<_> = self.slave_nodes[first].iter().collect();
@@ -171,7 +175,7 @@ impl Contact {
     }
 
     /// Adds a point without its numbers.
-    fn add_point(
+    pub(super) fn add_point(
         &mut self,
         pair_place: usize,
         pair: &ContactPair,
@@ -255,7 +259,7 @@ impl Contact {
         self.take_segments(model);
         for (index, pair) in model.contact_pairs.iter().enumerate() {
             let length = mean_length(model, pair);
-            if !self.take_master(model, dofs, (index, length)) {
+            if !self.take_master(model, dofs, (index, &pair.master, length)) {
                 return Err(index);
             }
             if pair.profile.as_ref().is_some_and(|own| placed(own).is_none()) {
@@ -266,6 +270,14 @@ impl Contact {
             self.take_laws((model, pair), (index, length), users);
             self.offsets[index] = pair.offset;
         }
+        for (place, edges) in model.edge_pairs.iter().enumerate() {
+            let (index, length) = (model.contact_pairs.len() + place, self.spacing[edges.of]);
+            if !self.take_master(model, dofs, (index, edges.met(model), length)) {
+                return Err(edges.of);
+            }
+        }
+        self.take_edges(model);
+        self.follow_pairs(model);
         self.take_slave_faces(model);
         self.take_bonds();
         Ok(())

@@ -41,9 +41,9 @@ impl Contact {
         own.change_friction(model, step);
         own.take_bonds();
         own.take_interferences((model, dofs), step);
-        for &pair in &presence.absent_pairs {
-            if let Some(master) = own.masters.get_mut(pair) {
-                *master = MasterSurface::Nothing;
+        for (pair, _) in self.masters.iter().enumerate() {
+            if !presence.has_pair(self.parent(pair)) {
+                own.masters[pair] = MasterSurface::Nothing;
             }
         }
         own.opposed.retain(|pairs| pairs.iter().all(|&pair| presence.has_pair(pair)));
@@ -65,6 +65,9 @@ impl Contact {
             let law = normal((model, pair), &changed.normal, mean_length(model, pair));
             self.laws[changed.pair].normal = law.into_owned();
             self.keeps[changed.pair] = changed.no_separation;
+            for own in self.edges_of(changed.pair) {
+                self.laws[own].normal = self.laws[changed.pair].normal.clone();
+            }
         }
     }
 
@@ -77,13 +80,15 @@ impl Contact {
             let length = mean_length(model, pair);
             let [from, to] =
                 [&changed.from, &changed.to].map(|law| friction((model, pair, law), length));
-            let laws = &mut self.laws[changed.pair];
-            if at_once || from == to || !is_between(&from, &to) {
-                laws.friction = to;
-                continue;
+            for own in std::iter::once(changed.pair).chain(self.edges_of(changed.pair)) {
+                let laws = &mut self.laws[own];
+                if at_once || from == to || !is_between(&from, &to) {
+                    laws.friction = to.clone();
+                    continue;
+                }
+                laws.friction = if to == FrictionLaw::None { from.clone() } else { to.clone() };
+                self.changing.push((own, [from.clone(), to.clone()]));
             }
-            laws.friction = if to == FrictionLaw::None { from.clone() } else { to.clone() };
-            self.changing.push((changed.pair, [from, to]));
         }
     }
 
@@ -120,7 +125,7 @@ impl Contact {
         let at = (&state.displacement[..], Before::of(state));
         self.locate(at, &[], &mut positions, &mut kinematics);
         for (place, point) in self.points.iter().enumerate() {
-            if pairs.contains(&point.pair) {
+            if pairs.contains(&self.parent(point.pair)) {
                 let own = self.push_out(place, (state, factor), &kinematics, force);
                 held.laws += own.laws;
                 held.slip += own.slip;

@@ -158,7 +158,7 @@ impl Contact {
         self.locate_stencil(point, &mut stencil, (u, positions), &mut into);
         if into.point.faces {
             let allowed = match &point.carrier {
-                Carrier::Node { .. } => self.allowed_at(place),
+                Carrier::Node { .. } => self.allowed_of_node(place, before),
                 Carrier::IntegrationPoint { segment } => {
                     self.allowed_along(&self.segments[*segment], into.point.xi)
                 }

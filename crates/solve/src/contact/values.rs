@@ -141,11 +141,13 @@ impl Contact {
 
     /// The axes of the faces of a master, where friction has coefficients along them.
     pub(super) fn take_axes(&mut self, model: &Model, index: usize) {
+        let (parent, reversed) = (self.parent(index), self.is_reversed(index));
         if let MasterSurface::Faces { mesh, nodes, .. } = &mut self.masters[index] {
             mesh.forget_axes();
-            if laws::is_directed(model, index) {
-                let pair = &model.contact_pairs[index];
-                mesh.take_axes(|at| pair.axes_of_master(at), |node| nodes[node].0);
+            if laws::is_directed(model, parent) {
+                let pair = &model.contact_pairs[parent];
+                let axes = |at| if reversed { pair.axes_of_slave(at) } else { pair.axes_of_master(at) };
+                mesh.take_axes(axes, |node| nodes[node].0);
             }
         }
     }
@@ -155,9 +157,9 @@ impl Contact {
         &mut self,
         model: &Model,
         dofs: &DofMap,
-        (index, slave): (usize, f64),
+        (index, said, slave): (usize, &Master, f64),
     ) -> bool {
-        match (&mut self.masters[index], &model.contact_pairs[index].master) {
+        match (&mut self.masters[index], said) {
             (MasterSurface::Body { reference, surface, .. }, Master::RigidSurface(said)) => {
                 *reference = model.nodes.get(said.reference).position;
                 let whole = surface.take(placed_segments(said));

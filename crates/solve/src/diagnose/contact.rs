@@ -14,7 +14,7 @@ use slideline_model::{
 
 impl Case<'_> {
     fn pair_of(&self, place: usize) -> &ContactPair {
-        &self.plan.model.contact_pairs[self.plan.contact.points[place].pair]
+        self.plan.pair_of(place)
     }
 
     /// Hard points that cannot all close.
@@ -65,9 +65,7 @@ impl Case<'_> {
     /// thousandth of the largest modulus [F/L2].
     fn pressure_scale(&self, pair: &ContactPair) -> f64 {
         let model = self.plan.model;
-        let own = |place: &usize| {
-            std::ptr::eq(&model.contact_pairs[self.plan.contact.points[*place].pair], pair)
-        };
+        let own = |place: &usize| std::ptr::eq(self.plan.pair_of(*place), pair);
         let carried = (0..self.committed.points.len())
             .filter(own)
             .map(|place| self.committed.points[place].pressure)
@@ -268,6 +266,7 @@ pub fn slid_off(plan: &Problem<'_>, committed: &State, now: &State) -> Vec<Diagn
     for (place, point) in plan.contact.points.iter().enumerate() {
         let before = &committed.points[place];
         let gone = before.closed
+            && !plan.contact.is_edge(place)
             && now.points[place].along.is_none()
             && last != Some((point.pair, point.node))
             && plan.contact.has_slid_off(place, (before.xi, slack), &now.displacement);
@@ -275,7 +274,7 @@ pub fn slid_off(plan: &Problem<'_>, committed: &State, now: &State) -> Vec<Diagn
             continue;
         }
         last = Some((point.pair, point.node));
-        let pair = &plan.model.contact_pairs[point.pair];
+        let pair = plan.pair_of(place);
         let label = plan.model.nodes.name(point.node);
         let end = master_end(plan, pair, before.along.unwrap_or_default()[0]);
         let message = format!(

@@ -28,7 +28,7 @@ impl Case<'_> {
             .find_map(|(place, _)| Some((place, self.wrong_slope(place)?)))?;
         let now = &self.work.evaluation.points[place];
         let point = &plan.contact.points[place];
-        let pair = &plan.model.contact_pairs[point.pair];
+        let pair = plan.pair_of(place);
         let Friction::User { name, .. } = &pair.interaction.friction else { return None };
         let message = format!(
             "the derivatives of the user friction law {name} are not those of its traction, and \

@@ -19,9 +19,9 @@ impl Case<'_> {
     pub(super) fn in_a_valley(&self) -> Option<(NodeIndex, NodeIndex)> {
         let points = self.plan.contact.points.iter().enumerate();
         let pressing = points
-            .filter(|(place, point)| point.is_node() && self.work.evaluation.points[*place].closed);
+            .filter(|(place, point)| point.is_node() && !self.plan.contact.is_edge(*place) && self.work.evaluation.points[*place].closed);
         pressing.into_iter().find_map(|(place, point)| {
-            let pair = &self.plan.model.contact_pairs[point.pair];
+            let pair = self.plan.pair_of(place);
             let Master::SlideLine(line) = &pair.master else { return None };
             let at = self.work.evaluation.kinematics.points()[place].position;
             (line.smooth == 0.0)

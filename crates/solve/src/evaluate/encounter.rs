@@ -86,6 +86,7 @@ impl Encounter<'_> {
             pressure: response.pressure,
             traction: traction.tau,
             opening: -kinematics.overclosure,
+            allowed: kinematics.allowed,
             along: kinematics.faces.then_some(kinematics.along),
             elastic_slip: traction.elastic_slip,
             slip: if closed { before.slip + slip } else { before.slip },

@@ -147,6 +147,12 @@ fn draw(model: &Model, note: &mut impl FnMut(Part, usize)) {
     for (index, pair) in model.contact_pairs.iter().enumerate() {
         draw_pair(pair, &mut |number| note(Part::Contact(index), number));
     }
+    note(Part::Contact(0), model.edge_pairs.len());
+    for edges in &model.edge_pairs {
+        let mut note = |number| note(Part::Contact(edges.of), number);
+        [edges.nodes.len(), usize::from(edges.is_of_master())].into_iter().for_each(&mut note);
+        edges.nodes.iter().for_each(|&node| note(node));
+    }
     note(Part::Steps, model.steps.len());
     for (index, step) in model.steps.iter().enumerate() {
         draw_step(step, &mut |number| note(Part::Step(index + 1), number));

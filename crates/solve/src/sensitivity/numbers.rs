@@ -176,9 +176,8 @@ fn each_of_state(state: &mut State, call: &mut dyn FnMut(&mut f64)) {
 }
 
 fn each_of_point(point: &mut PointState, call: &mut dyn FnMut(&mut f64)) {
-    let PointState { pressure, traction, opening, along, elastic_slip, slip, .. } = point;
-    call(pressure);
-    call(opening);
+    let PointState { pressure, traction, opening, allowed, along, elastic_slip, slip, .. } = point;
+    [pressure, opening, allowed].into_iter().for_each(&mut *call);
     for direction in [traction, elastic_slip, slip].into_iter().chain(along) {
         direction.0.iter_mut().for_each(&mut *call);
     }

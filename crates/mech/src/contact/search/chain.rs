@@ -192,6 +192,15 @@ impl Chain {
         self.arc.get(index).copied().unwrap_or(0.0)
     }
 
+    /// The segment at an arc coordinate, and where on it that lies, 0 to 1; beyond the ends, these.
+    pub fn part_at(&self, along: f64) -> (usize, f64) {
+        let behind = self.arc.partition_point(|&arc| arc <= along);
+        let part = behind.saturating_sub(1).min(self.lengths.len().saturating_sub(1));
+        let length = self.reference_length(part);
+        let way = along - self.arc_coordinate(part);
+        (part, if length > 0.0 { (way / length).clamp(0.0, 1.0) } else { 0.0 })
+    }
+
     /// The piece nearest by |g| that faces `point`, for the current `positions` of the nodes. `None`
     /// if the point faces no piece: see [`Chain::beyond_end`]. A number of positions other than that
     /// of the nodes gives `None`. With a tree of the parts, fitted to the positions, only those near

@@ -26,6 +26,18 @@ pub struct FacePlace {
     pub at: [f64; 2],
 }
 
+impl FacePlace {
+    /// Shares of the corners of a triangle or a quadrilateral in it, linear between them [1].
+    pub fn corner_shares(&self, corners: usize) -> [f64; 4] {
+        let [s, t] = self.at;
+        match corners {
+            3 => [1.0 - s - t, s, t, 0.0],
+            _ => [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
+                .map(|(a, b)| 0.25 * (1.0 + a * s) * (1.0 + b * t)),
+        }
+    }
+}
+
 /// Faces that are asked one after the other.
 const WAY: usize = 16;
 /// Part of a face by which a point may stand beyond its edge and still belong to it: where it stood

@@ -115,9 +115,9 @@ impl Jump {
         let nodes = (0..plan.model.nodes.len()).map(|node| (node, moved(node)));
         let closed = |state: &State, pair: usize| {
             let mut points = plan.contact.points.iter().zip(&state.points);
-            points.any(|(point, now)| point.pair == pair && now.closed)
+            points.any(|(point, now)| plan.contact.parent(point.pair) == pair && now.closed)
         };
-        let pairs = 0..plan.contact.pair_count();
+        let pairs = 0..plan.contact.own_pairs();
         let whole = part.rest.with(part);
         Self {
             released: part.left(),

@@ -190,6 +190,7 @@ impl Increment<'_> {
                     pressure: pressure + step * presses,
                     traction: traction.tau + Tangential([step * rubs, 0.0]),
                     opening: -evaluation.kinematics.points()[place].overclosure,
+                    allowed: evaluation.kinematics.points()[place].allowed,
                     slip: committed.points[place].slip + slips[k],
                     ..base.evaluation.points[place]
                 };

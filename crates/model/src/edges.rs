@@ -1,0 +1,189 @@
+//! Sharp edges of surfaces that are in contact: their nodes meet the other side by themselves.
+//!
+//! ```text
+//!        \   /  slave                slave  o-----------------o
+//!         \ /                                     .-X-.             X: a node of a sharp edge,
+//!     -----X-----  master             master     /     \               or where a surface ends
+//! ```
+//!
+//! Contact over faces takes means over a face, and contact at nodes sees nothing between two of them:
+//! an edge goes into a face unseen by both.
+//!
+//! docs/theory.md section 5.17
+
+use crate::contact::{ContactElement, ContactPair, Formulation, Offset};
+use crate::model::Model;
+use crate::node::NodeIndex;
+use crate::surface::{ContactFace, Master, MasterFaces, SlideLine};
+use slideline_mech::surface::mesh::{MeshFace, smooth_groups};
+use slideline_mech::vector::{cross, dot, size, sub};
+use std::collections::{HashMap, HashSet};
+
+/// Cosine of the turn of a surface from which on an edge is sharp [1]: 45 degrees.
+const SHARP: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
+/// Nodes of sharp edges on one side of a pair, and what they meet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EdgePair {
+    /// Place of the pair.
+    pub of: usize,
+    /// The nodes.
+    pub nodes: Vec<NodeIndex>,
+    /// Where they are of the master: the slave surface as what they meet. `None`: they are of the slave, and
+    /// meet the master of the pair.
+    pub slave_surface: Option<Master>,
+}
+
+impl EdgePair {
+    /// What its nodes meet, in the model that it belongs to.
+    pub fn met<'a>(&'a self, model: &'a Model) -> &'a Master {
+        self.slave_surface.as_ref().unwrap_or(&model.contact_pairs[self.of].master)
+    }
+
+    /// Whether its nodes are those of the master.
+    pub fn is_of_master(&self) -> bool {
+        self.slave_surface.is_some()
+    }
+}
+
+impl Model {
+    /// Finds the sharp edges of its pairs of solids anew.
+    pub fn find_edges(&mut self) {
+        let pairs = self.contact_pairs.iter().enumerate();
+        self.edge_pairs = pairs.flat_map(|(of, pair)| edges_of(self, (of, pair))).collect();
+    }
+}
+
+/// The sharp edges of both sides of a pair.
+fn edges_of(model: &Model, (of, pair): (usize, &ContactPair)) -> Vec<EdgePair> {
+    let is_of_faces = pair.of_solids || !pair.faces.is_empty();
+    if !is_of_faces || pair.meets_itself() || pair.offset != Offset::NONE {
+        return Vec::new();
+    }
+    let of_master: HashSet<_> = pair.master.deforming_nodes().into_iter().collect();
+    let of_slave: HashSet<_> = nodes_of_slave(pair).collect();
+    let at = |node: NodeIndex| model.nodes.position(node);
+    let mut found = Vec::new();
+    if pair.formulation == Formulation::Mortar {
+        let sharp = match pair.faces.is_empty() {
+            true => runs(&pair.elements).iter().flat_map(|run| sharp_nodes(run, 1.0, at)).collect(),
+            false => sharp_in_space(&pair.faces, at),
+        };
+        let nodes = alone(sharp, &of_master);
+        found.push(EdgePair { of, nodes, slave_surface: None });
+    }
+    let sharp = alone(sharp_of_master(pair, at), &of_slave);
+    for surface in surfaces_of_slave(pair) {
+        let nodes = sharp.clone();
+        found.push(EdgePair { of, nodes, slave_surface: Some(surface) });
+    }
+    found.retain(|own| !own.nodes.is_empty());
+    found
+}
+
+/// Each node once, those of the other side left out: they meet no face that they belong to.
+fn alone(nodes: Vec<NodeIndex>, other: &HashSet<NodeIndex>) -> Vec<NodeIndex> {
+    let mut seen = HashSet::new();
+    nodes.into_iter().filter(|node| !other.contains(node) && seen.insert(*node)).collect()
+}
+
+fn nodes_of_slave(pair: &ContactPair) -> impl Iterator<Item = NodeIndex> + '_ {
+    let of_faces = pair.faces.iter().flat_map(|face| face.nodes.iter().copied());
+    pair.elements.iter().flat_map(|element| element.nodes).chain(of_faces)
+}
+
+/// Nodes at which the master of a pair turns away sharply, or ends.
+fn sharp_of_master(pair: &ContactPair, at: impl Fn(NodeIndex) -> [f64; 3]) -> Vec<NodeIndex> {
+    match &pair.master {
+        Master::SlideLine(line) => sharp_nodes(&line.nodes, -1.0, at),
+        Master::Faces(MasterFaces { faces, swept: None, .. }) => sharp_in_space(faces, at),
+        Master::Faces(_) | Master::RigidSurface(_) | Master::Itself(_) => Vec::new(),
+    }
+}
+
+/// Nodes at which a line of the plane ends, or turns sharply to the side of the material: to its left (1) or
+/// to its right (-1).
+fn sharp_nodes(
+    nodes: &[NodeIndex],
+    side: f64,
+    at: impl Fn(NodeIndex) -> [f64; 3],
+) -> Vec<NodeIndex> {
+    let (Some(&first), Some(&last)) = (nodes.first(), nodes.last()) else { return Vec::new() };
+    let turns = |[before, here, behind]: [NodeIndex; 3]| {
+        let (one, other) = (sub(at(here), at(before)), sub(at(behind), at(here)));
+        let turn = side * cross(one, other)[2];
+        turn > 0.0 && dot(one, other) < SHARP * size(one) * size(other)
+    };
+    let inner = nodes.windows(3).filter(|own| turns([own[0], own[1], own[2]])).map(|own| own[1]);
+    match first == last && nodes.len() > 2 {
+        true => {
+            let seam = turns([nodes[nodes.len() - 2], first, nodes[1]]).then_some(first);
+            inner.chain(seam).collect()
+        }
+        false => inner.chain([first, last]).collect(),
+    }
+}
+
+/// Corners of faces in space about which the surface has a crease, or at which it ends.
+fn sharp_in_space(faces: &[ContactFace], at: impl Fn(NodeIndex) -> [f64; 3]) -> Vec<NodeIndex> {
+    let of_mesh =
+        |face: &ContactFace| Some(MeshFace { cell: face.cell()?, nodes: face.nodes.clone() });
+    let mesh: Vec<MeshFace> = faces.iter().filter_map(of_mesh).collect();
+    let groups = smooth_groups(&mesh, at);
+    let (mut group_of, mut edges) = (HashMap::new(), HashMap::new());
+    let mut sharp = Vec::new();
+    for (face, groups) in mesh.iter().zip(groups) {
+        let corners = face.cell.faces.len();
+        for (corner, group) in groups.into_iter().enumerate().take(corners) {
+            let (node, next) = (face.nodes[corner], face.nodes[(corner + 1) % corners]);
+            *edges.entry([node.min(next), node.max(next)]).or_insert(0) += 1;
+            if *group_of.entry(node).or_insert(group) != group {
+                sharp.push(node);
+            }
+        }
+    }
+    let mut ends: Vec<[NodeIndex; 2]> =
+        edges.into_iter().filter(|(_, count)| *count == 1).map(|(edge, _)| edge).collect();
+    ends.sort_unstable();
+    sharp.extend(ends.into_flattened());
+    sharp
+}
+
+/// The slave surface of a pair as what nodes meet, its pieces one by one.
+fn surfaces_of_slave(pair: &ContactPair) -> Vec<Master> {
+    let origin = pair.origin;
+    if pair.faces.is_empty() {
+        let line = |mut nodes: Vec<NodeIndex>| {
+            // a master has its material on the right of its way, a slave on the left
+            nodes.reverse();
+            let (middles, smooth, extension) = (Vec::new(), 0.0, 0.0);
+            Master::SlideLine(SlideLine { nodes, middles, smooth, extension, origin })
+        };
+        return runs(&pair.elements).into_iter().map(line).collect();
+    }
+    let faces = pair.faces.clone();
+    let (swept, smooth, extension, meets_itself) = (None, false, 0.0, false);
+    vec![Master::Faces(MasterFaces { faces, smooth, extension, swept, meets_itself, origin })]
+}
+
+/// The nodes of contact elements piece by piece, each in their order of travel; a closed one begins and ends
+/// at the same node.
+fn runs(elements: &[ContactElement]) -> Vec<Vec<NodeIndex>> {
+    let next: HashMap<_, _> = elements.iter().map(|own| (own.nodes[0], own.nodes[1])).collect();
+    let ends: HashSet<_> = elements.iter().map(|own| own.nodes[1]).collect();
+    let (mut seen, mut found) = (HashSet::new(), Vec::new());
+    let starts = elements.iter().map(|own| own.nodes[0]);
+    let open = starts.clone().filter(|start| !ends.contains(start));
+    for start in open.chain(starts) {
+        if seen.contains(&start) {
+            continue;
+        }
+        let (mut run, mut here) = (vec![start], start);
+        while let Some(&end) = next.get(&here).filter(|_| seen.insert(here)) {
+            run.push(end);
+            here = end;
+        }
+        found.push(run);
+    }
+    found
+}
