@@ -40,6 +40,24 @@ impl EdgePair {
         self.slave_surface.as_ref().unwrap_or(&model.contact_pairs[self.of].master)
     }
 
+    /// The faces of the surface that its nodes belong to, by their corners: in the plane with the material on
+    /// the left, in space counter-clockwise as seen from outside.
+    pub fn own_faces(&self, model: &Model) -> Vec<Vec<NodeIndex>> {
+        let pair = &model.contact_pairs[self.of];
+        let corners = |face: &ContactFace| Some(face.nodes[..face.cell()?.faces.len()].to_vec());
+        match (&self.slave_surface, &pair.master) {
+            (None, _) if pair.faces.is_empty() => {
+                pair.elements.iter().map(|element| element.nodes.to_vec()).collect()
+            }
+            (None, _) => pair.faces.iter().filter_map(corners).collect(),
+            (Some(_), Master::SlideLine(line)) => {
+                line.nodes.windows(2).map(|own| vec![own[1], own[0]]).collect()
+            }
+            (Some(_), Master::Faces(faces)) => faces.faces.iter().filter_map(corners).collect(),
+            (Some(_), Master::RigidSurface(_) | Master::Itself(_)) => Vec::new(),
+        }
+    }
+
     /// Whether its nodes are those of the master.
     pub fn is_of_master(&self) -> bool {
         self.slave_surface.is_some()
@@ -73,7 +91,7 @@ fn edges_of(model: &Model, (of, pair): (usize, &ContactPair)) -> Vec<EdgePair> {
         found.push(EdgePair { of, nodes, slave_surface: None });
     }
     let sharp = alone(sharp_of_master(pair, at), &of_slave);
-    for surface in surfaces_of_slave(pair) {
+    for surface in surfaces_of_slave(pair, &sharp, at) {
         let nodes = sharp.clone();
         found.push(EdgePair { of, nodes, slave_surface: Some(surface) });
     }
@@ -150,12 +168,17 @@ fn sharp_in_space(faces: &[ContactFace], at: impl Fn(NodeIndex) -> [f64; 3]) -> 
 }
 
 /// The slave surface of a pair as what nodes meet, its pieces one by one.
-fn surfaces_of_slave(pair: &ContactPair) -> Vec<Master> {
+fn surfaces_of_slave(
+    pair: &ContactPair,
+    met_by: &[NodeIndex],
+    at: impl Fn(NodeIndex) -> [f64; 3],
+) -> Vec<Master> {
     let origin = pair.origin;
     if pair.faces.is_empty() {
         let line = |mut nodes: Vec<NodeIndex>| {
             // a master has its material on the right of its way, a slave on the left
             nodes.reverse();
+            turn_seam_away(&mut nodes, met_by, &at);
             let (middles, smooth, extension) = (Vec::new(), 0.0, 0.0);
             Master::SlideLine(SlideLine { nodes, middles, smooth, extension, origin })
         };
@@ -164,6 +187,26 @@ fn surfaces_of_slave(pair: &ContactPair) -> Vec<Master> {
     let faces = pair.faces.clone();
     let (swept, smooth, extension, meets_itself) = (None, false, 0.0, false);
     vec![Master::Faces(MasterFaces { faces, smooth, extension, swept, meets_itself, origin })]
+}
+
+/// Lets a closed line begin and end at its node that is farthest from what meets it.
+fn turn_seam_away(
+    nodes: &mut Vec<NodeIndex>,
+    met_by: &[NodeIndex],
+    at: impl Fn(NodeIndex) -> [f64; 3],
+) {
+    if nodes.len() < 3 || nodes.first() != nodes.last() {
+        return;
+    }
+    nodes.pop();
+    let nearest = |node: NodeIndex| {
+        let distances = met_by.iter().map(|&other| size(sub(at(node), at(other))));
+        distances.fold(f64::INFINITY, f64::min)
+    };
+    let places = nodes.iter().enumerate().map(|(place, &node)| (nearest(node), place));
+    let farthest = places.reduce(|known, other| if other.0 > known.0 { other } else { known });
+    nodes.rotate_left(farthest.map_or(0, |own| own.1));
+    nodes.push(nodes[0]);
 }
 
 /// The nodes of contact elements piece by piece, each in their order of travel; a closed one begins and ends

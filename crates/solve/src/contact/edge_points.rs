@@ -11,13 +11,14 @@
 //! docs/theory.md section 5.17
 
 use super::master::MasterSurface;
-use super::pairs::{Carrier, Contact};
+use super::pairs::{Carrier, Contact, SlavePoint};
+use super::slave_face::SlaveFace;
 use super::stencil::NO_TURN;
 use crate::dofs::DofMap;
 use crate::state::{PointState, State};
 use slideline_mech::vector::{size, sub};
 use slideline_model::{EdgePair, Model, NodeIndex};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
 /// Part of the size of a face by which an edge may stand in it beyond the mean and not be held [1]: less is
@@ -95,6 +96,23 @@ impl Contact {
         let master = self.master(model, dofs, edges.met(model), self.spacing[of]);
         self.chain_nodes += master.nodes().len();
         self.masters.push(master);
+        self.add_faces_of_edges(model, dofs, edges);
+    }
+
+    /// Notes the faces about the nodes of edges.
+    fn add_faces_of_edges(&mut self, model: &Model, dofs: &DofMap, edges: &EdgePair) {
+        let corner = |&node: &NodeIndex| (node, [0.0; 3], dofs.translations(node));
+        let own: HashSet<_> = edges.nodes.iter().collect();
+        for face in edges.own_faces(model) {
+            if !face.iter().any(|node| own.contains(node)) {
+                continue;
+            }
+            let number = self.slave_faces.len();
+            self.slave_faces.push(SlaveFace { corners: face.iter().map(corner).collect() });
+            let place = self.masters.len() - 1;
+            let about = |point: &&mut SlavePoint| point.pair == place && face.contains(&point.node);
+            self.points.iter_mut().rev().filter(about).for_each(|point| point.faces.push(number));
+        }
     }
 
     /// Takes the areas of edge points, which are those of the slave nodes that they are, or stand between,
@@ -165,7 +183,7 @@ impl Contact {
         let edges = self.points[place].pair.checked_sub(self.own_pairs());
         let (Some(edges), Some(now)) = (edges, before.get(place)) else { return 0.0 };
         let own = &self.edge_points[edges];
-        if !now.opening.is_finite() {
+        if !now.opening.is_finite() || now.along.is_none() {
             return 0.0;
         }
         let about = self.about(place, now);
@@ -177,12 +195,19 @@ impl Contact {
             mean += share * slave.points.iter().map(raw).fold(f64::INFINITY, f64::min);
             size += share * slave.size;
         }
-        if mean == f64::INFINITY || mean.is_nan() {
+        if !mean.is_finite() || size == 0.0 {
             return 0.0;
         }
         let beyond = mean - (now.opening - now.allowed);
         let free = FREE * size;
         (-mean).max(0.0) + free * (1.0 - smooth_step(beyond / free))
+    }
+
+    /// Whether an edge point that was not held is deeper in a face than a face is long: it has come to it
+    /// from behind, as round an open end.
+    pub(super) fn came_from_behind(&self, place: usize, deep: f64, before: Option<&PointState>) -> bool {
+        let was_held = before.is_some_and(|before| before.closed);
+        self.is_edge(place) && !was_held && deep > self.spacing[self.points[place].pair]
     }
 
     /// The slave nodes about an edge point of a state, with their shares.

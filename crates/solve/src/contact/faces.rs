@@ -160,7 +160,7 @@ impl Contact {
         let Carrier::Node { position, dofs, .. } = &point.carrier else { return };
         let at = dofs.displace(*position, u);
         into.point.position = at;
-        let held = before.face(place);
+        let (held, allowed) = (before.face(place), self.allowed_of_node(place, before));
         let before = before.points.get(place);
         let footing = before.and_then(|before| before.footing.as_ref());
         let known = self.outlook(point, u);
@@ -177,9 +177,13 @@ impl Contact {
             return;
         };
         let origin = before.and_then(|before| before.along).unwrap_or(Tangential::ZERO);
+        if self.came_from_behind(place, -own.gap().gap, before) {
+            into.turn_away_in_place();
+            return;
+        }
         into.point.faces = true;
         into.point.overclosure = -own.gap().gap;
-        into.point.allow(self.allowed_at(place));
+        into.point.allow(allowed);
         into.point.along = origin + own.slip;
         into.point.normal = own.gap().normal;
         into.point.facing = Some(Facing::Face(facing));

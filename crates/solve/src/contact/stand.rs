@@ -164,6 +164,9 @@ impl Contact {
                 }
             };
             into.point.allow(allowed);
+            if self.came_from_behind(place, into.point.overclosure, before.points.get(place)) {
+                into.turn_away_in_place();
+            }
         }
     }
 
