@@ -355,8 +355,9 @@ impl Pair {
             self.name
         );
         Some(Diagnostic::warning(Code("SL0615"), message).at(self.origin).help(
-            "give *CONTACT PAIR, TYPE=NODE TO SURFACE with the side that has the edge or the corner as slave; \
-             or round the edge, with elements smaller than its radius",
+            "mesh the edge with elements no longer than the faces that it stands in: nodes of sharp edges are \
+             held by themselves; against the edge of an analytical surface give the slave smaller faces, or \
+             round the edge with FILLET RADIUS",
         ))
     }
 

@@ -29,38 +29,33 @@ pub struct EdgePair {
     pub of: usize,
     /// The nodes.
     pub nodes: Vec<NodeIndex>,
-    /// Where they are of the master: the slave surface as what they meet. `None`: they are of the slave, and
-    /// meet the master of the pair.
-    pub slave_surface: Option<Master>,
+    /// Whether they are of the master, and meet the slave surface; or else of the slave, and meet the master.
+    pub is_of_master: bool,
+    /// What they meet, as nodes meet it.
+    pub met: Master,
 }
 
-impl EdgePair {
-    /// What its nodes meet, in the model that it belongs to.
-    pub fn met<'a>(&'a self, model: &'a Model) -> &'a Master {
-        self.slave_surface.as_ref().unwrap_or(&model.contact_pairs[self.of].master)
-    }
+/// Fraction of each segment that the parabola of a corner takes, so that an edge does not stand in a valley
+/// that it presses itself [1]: what `SMOOTH` is for contact at nodes.
+const SMOOTH: f64 = 0.2;
 
+impl EdgePair {
     /// The faces of the surface that its nodes belong to, by their corners: in the plane with the material on
     /// the left, in space counter-clockwise as seen from outside.
     pub fn own_faces(&self, model: &Model) -> Vec<Vec<NodeIndex>> {
         let pair = &model.contact_pairs[self.of];
         let corners = |face: &ContactFace| Some(face.nodes[..face.cell()?.faces.len()].to_vec());
-        match (&self.slave_surface, &pair.master) {
-            (None, _) if pair.faces.is_empty() => {
+        match (self.is_of_master, &pair.master) {
+            (false, _) if pair.faces.is_empty() => {
                 pair.elements.iter().map(|element| element.nodes.to_vec()).collect()
             }
-            (None, _) => pair.faces.iter().filter_map(corners).collect(),
-            (Some(_), Master::SlideLine(line)) => {
+            (false, _) => pair.faces.iter().filter_map(corners).collect(),
+            (true, Master::SlideLine(line)) => {
                 line.nodes.windows(2).map(|own| vec![own[1], own[0]]).collect()
             }
-            (Some(_), Master::Faces(faces)) => faces.faces.iter().filter_map(corners).collect(),
-            (Some(_), Master::RigidSurface(_) | Master::Itself(_)) => Vec::new(),
+            (true, Master::Faces(faces)) => faces.faces.iter().filter_map(corners).collect(),
+            (true, Master::RigidSurface(_) | Master::Itself(_)) => Vec::new(),
         }
-    }
-
-    /// Whether its nodes are those of the master.
-    pub fn is_of_master(&self) -> bool {
-        self.slave_surface.is_some()
     }
 }
 
@@ -88,12 +83,12 @@ fn edges_of(model: &Model, (of, pair): (usize, &ContactPair)) -> Vec<EdgePair> {
             false => sharp_in_space(&pair.faces, at),
         };
         let nodes = alone(sharp, &of_master);
-        found.push(EdgePair { of, nodes, slave_surface: None });
+        found.push(EdgePair { of, nodes, is_of_master: false, met: as_met_by_nodes(&pair.master) });
     }
     let sharp = alone(sharp_of_master(pair, at), &of_slave);
-    for surface in surfaces_of_slave(pair, &sharp, at) {
+    for met in surfaces_of_slave(pair, &sharp, at) {
         let nodes = sharp.clone();
-        found.push(EdgePair { of, nodes, slave_surface: Some(surface) });
+        found.push(EdgePair { of, nodes, is_of_master: true, met });
     }
     found.retain(|own| !own.nodes.is_empty());
     found
@@ -167,6 +162,19 @@ fn sharp_in_space(faces: &[ContactFace], at: impl Fn(NodeIndex) -> [f64; 3]) -> 
     sharp
 }
 
+/// A master that contact over faces slides on as what nodes meet.
+fn as_met_by_nodes(master: &Master) -> Master {
+    match master {
+        Master::SlideLine(line) => {
+            Master::SlideLine(SlideLine { middles: Vec::new(), smooth: SMOOTH, ..line.clone() })
+        }
+        Master::Faces(faces) => {
+            Master::Faces(MasterFaces { smooth: faces.swept.is_none(), ..faces.clone() })
+        }
+        other => other.clone(),
+    }
+}
+
 /// The slave surface of a pair as what nodes meet, its pieces one by one.
 fn surfaces_of_slave(
     pair: &ContactPair,
@@ -179,13 +187,13 @@ fn surfaces_of_slave(
             // a master has its material on the right of its way, a slave on the left
             nodes.reverse();
             turn_seam_away(&mut nodes, met_by, &at);
-            let (middles, smooth, extension) = (Vec::new(), 0.0, 0.0);
+            let (middles, smooth, extension) = (Vec::new(), SMOOTH, 0.0);
             Master::SlideLine(SlideLine { nodes, middles, smooth, extension, origin })
         };
         return runs(&pair.elements).into_iter().map(line).collect();
     }
     let faces = pair.faces.clone();
-    let (swept, smooth, extension, meets_itself) = (None, false, 0.0, false);
+    let (swept, smooth, extension, meets_itself) = (None, true, 0.0, false);
     vec![Master::Faces(MasterFaces { faces, smooth, extension, swept, meets_itself, origin })]
 }
 

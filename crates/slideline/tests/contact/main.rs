@@ -33,6 +33,7 @@ mod rough_slaves;
 mod self_contact;
 mod self_contact_in_space;
 mod solid_contact;
+mod sharp_edges;
 mod space_decks;
 mod strip;
 mod strip_reference;

@@ -23,7 +23,7 @@ use std::ops::Range;
 
 /// Part of the size of a face by which an edge may stand in it beyond the mean and not be held [1]: less is
 /// what faces that bend about an edge, and meshes that do not match, come to.
-const FREE: f64 = 0.1;
+const FREE: f64 = 0.02;
 
 /// The points of an edge pair.
 #[derive(Clone, Debug)]
@@ -74,16 +74,16 @@ impl Contact {
             slaves[seat].points.push(own);
         }
         let met;
-        let nodes = match edges.is_of_master() {
+        let nodes = match edges.is_of_master {
             false => &edges.nodes,
             true => {
-                met = edges.met(model).deforming_nodes();
+                met = edges.met.deforming_nodes();
                 &met
             }
         };
         let seats = nodes.iter().map(|node| of_node.get(node).copied().unwrap_or(slaves.len()));
         let seats = seats.collect();
-        let (of, of_master) = (edges.of, edges.is_of_master());
+        let (of, of_master) = (edges.of, edges.is_of_master);
         let count = edges.nodes.len();
         self.edge_points.push(EdgePoints { of, of_master, first, count, seats, slaves });
         self.slave_nodes.push(edges.nodes.clone());
@@ -93,7 +93,7 @@ impl Contact {
         self.keeps.push(false);
         self.offsets.push(pair.offset);
         self.spacing.push(self.spacing[of]);
-        let master = self.master(model, dofs, edges.met(model), self.spacing[of]);
+        let master = self.master(model, dofs, &edges.met, self.spacing[of]);
         self.chain_nodes += master.nodes().len();
         self.masters.push(master);
         self.add_faces_of_edges(model, dofs, edges);
@@ -171,6 +171,11 @@ impl Contact {
         self.points[place].pair >= self.own_pairs()
     }
 
+    /// Whether no edge is held in a state of the points.
+    pub fn edges_are_open(&self, points: &[PointState]) -> bool {
+        self.places_of_edges().all(|place| !points[place].closed)
+    }
+
     /// The points of sharp edges.
     pub fn places_of_edges(&self) -> Range<usize> {
         let first = self.edge_points.first().map_or(self.points.len(), |own| own.first);
@@ -178,7 +183,7 @@ impl Contact {
     }
 
     /// How deep an edge may stand in a face in the next increment: as deep as the mean is, and further the
-    /// flatter it lay upon the face at the last commit [L]. docs/theory.md eq. (5.57)
+    /// flatter it lay upon the face at the last commit [L]. docs/theory.md eq. (5.49)
     pub(super) fn edge_allowance(&self, place: usize, before: &[PointState]) -> f64 {
         let edges = self.points[place].pair.checked_sub(self.own_pairs());
         let (Some(edges), Some(now)) = (edges, before.get(place)) else { return 0.0 };
@@ -186,16 +191,20 @@ impl Contact {
         if !now.opening.is_finite() || now.along.is_none() {
             return 0.0;
         }
-        let about = self.about(place, now);
-        let mut mean = 0.0;
-        let mut size = 0.0;
-        for (seat, share) in about.into_iter().filter(|(_, share)| *share != 0.0) {
+        let raw = |&point: &usize| before[point].opening - before[point].allowed;
+        let mut sums = [0.0; 3];
+        for (seat, share) in self.about(place, now).into_iter().filter(|(_, share)| *share > 0.0) {
             let Some(slave) = own.slaves.get(seat) else { continue };
-            let raw = |&point: &usize| before[point].opening - before[point].allowed;
-            mean += share * slave.points.iter().map(raw).fold(f64::INFINITY, f64::min);
-            size += share * slave.size;
+            let gap = slave.points.iter().map(raw).fold(f64::INFINITY, f64::min);
+            // a slave node that faces nothing knows of no gap
+            if gap.is_finite() {
+                let [shares, gaps, sizes] = sums;
+                sums = [shares + share, gaps + share * gap, sizes + share * slave.size];
+            }
         }
-        if !mean.is_finite() || size == 0.0 {
+        let [shares, gaps, sizes] = sums;
+        let (mean, size) = (gaps / shares, sizes / shares);
+        if shares == 0.0 || size == 0.0 {
             return 0.0;
         }
         let beyond = mean - (now.opening - now.allowed);

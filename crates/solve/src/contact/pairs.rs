@@ -161,7 +161,6 @@ impl Contact {
     pub fn is_at_nodes_of_the_plane(&self) -> bool {
         self.directions == 1
             && self.allowances.is_empty()
-            && self.edge_points.is_empty()
             && self.points.iter().all(SlavePoint::is_node)
             && self.laws.iter().all(|laws| laws.user.is_none())
     }

@@ -272,7 +272,7 @@ impl Contact {
         }
         for (place, edges) in model.edge_pairs.iter().enumerate() {
             let (index, length) = (model.contact_pairs.len() + place, self.spacing[edges.of]);
-            if !self.take_master(model, dofs, (index, edges.met(model), length)) {
+            if !self.take_master(model, dofs, (index, &edges.met, length)) {
                 return Err(edges.of);
             }
         }

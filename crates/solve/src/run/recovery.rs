@@ -127,8 +127,8 @@ impl Analysis<'_> {
             (face.last().cloned().unwrap_or_default(), face.len().saturating_sub(1));
         let message = format!(
             "an edge of the master of {}{} stands {:.3e} deep in the face between slave nodes {} and \
-             {last} at total time {:.6}: contact is at the nodes, nothing holds it there, and a node may \
-             catch on its side",
+             {last} at total time {:.6}: nodes of sharp edges are held, what lies between two of them \
+             is not, and a slave node may catch on its side",
             pair.name,
             edge.map(|edge| format!(", at node {edge},")).unwrap_or_default(),
             found.depth,
@@ -136,8 +136,8 @@ impl Analysis<'_> {
             committed.total_time
         );
         let said = Diagnostic::warning(Code("SL0620"), message).at(pair.origin).help(
-            "spread the contact over faces, *CONTACT PAIR, TYPE=SURFACE TO SURFACE, those of the \
-             slave no longer than those of the master, or name the side with the edge first",
+            "mesh the edge with elements no longer than the faces that it stands in: its nodes are then held \
+             where it meets them",
         );
         self.tell(Event::Diagnosed(&said))
     }

@@ -58,6 +58,7 @@ impl Increment<'_> {
             && new.turns.is_empty()
             && plan.structure.references.is_empty()
             && plan.contact.is_at_nodes_of_the_plane()
+            && plan.contact.edges_are_open(&base.evaluation.points)
             && !base.is_stabilised()
     }
 

@@ -1,0 +1,185 @@
+//! Sharp edges: held as nodes where contact over faces, or at the nodes of the slave, does not see them,
+//! and unknown to all results where it does.
+//!
+//! ```text
+//!        /\                      ____
+//!       /  \                    |    |        stands, slides, lies down
+//!       \  /  ->                |    |
+//!     ---\/-----             ---+----+---
+//! ```
+
+#![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
+
+use crate::mortar_decks::{Block, Kind, Last};
+use slideline::observe::Ending;
+use slideline::{Job, ReadOptions, SolveOptions, TangentCheck, solve};
+use std::fmt::Write as _;
+
+/// Where the corner of the upper block stands on the face below, which is 0.4 long.
+const PLACE: f64 = 0.13;
+
+/// A block that stands on its corner, turned by `tilt` degrees, on a wider one.
+#[derive(Clone, Copy, Debug)]
+struct Standing {
+    kind: Kind,
+    tilt: f64,
+    faces: bool,
+    upper_is_slave: bool,
+    friction: f64,
+    /// Turn and unit of the whole model.
+    turned: f64,
+    unit: f64,
+}
+
+const STANDING: Standing = Standing {
+    kind: Kind::Cpe4,
+    tilt: 45.0,
+    faces: true,
+    upper_is_slave: true,
+    friction: 0.0,
+    turned: 0.0,
+    unit: 1.0,
+};
+
+fn turn([x, y]: [f64; 2], degrees: f64) -> [f64; 2] {
+    let (s, c) = degrees.to_radians().sin_cos();
+    [c * x - s * y, s * x + c * y]
+}
+
+impl Standing {
+    fn at(&self, x: [f64; 2]) -> [f64; 2] {
+        turn(x, self.turned).map(|x| self.unit * x)
+    }
+
+    /// The deck, in which the upper nodes are carried along by `carry` of their undeformed places.
+    fn deck(&self, increment: f64, carry: impl Fn([f64; 2]) -> [f64; 2]) -> String {
+        let mut deck = String::from("*HEADING\nsharp edges\n");
+        let lower = Block { base: 0, cells: [5, 2], kind: self.kind };
+        let upper = Block { base: 10_000, cells: [3, 3], kind: self.kind };
+        lower.write(&mut deck, "LOWER", |[x, y]| self.at([2.0 * x - 1.0, y - 1.0]));
+        let place = |[x, y]: [f64; 2]| {
+            let [x, y] = turn([0.5 * x, 0.5 * y], self.tilt);
+            [x + PLACE, y]
+        };
+        upper.write(&mut deck, "UPPER", |x| self.at(place(x)));
+        deck.push_str(&lower.surface("TOP", "top"));
+        let sides = ["bottom", "left"].map(|side| upper.surface("TIP", side));
+        deck.push_str(&sides[0]);
+        deck.push_str(sides[1].split_once('\n').unwrap().1);
+        deck.push_str(&lower.set("BASE", |_, y| y == 0.0));
+        let kind = if self.faces { "SURFACE TO SURFACE" } else { "NODE TO SURFACE" };
+        let (slave, master) = if self.upper_is_slave { ("TIP", "TOP") } else { ("TOP", "TIP") };
+        let modulus = 1000.0 / (self.unit * self.unit);
+        write!(
+            deck,
+            "*MATERIAL, NAME=M\n*ELASTIC\n{modulus:?}, 0.3\n*SOLID SECTION, ELSET=LOWER, MATERIAL=M\n{0:?}\n\
+             *SOLID SECTION, ELSET=UPPER, MATERIAL=M\n{0:?}\n*SURFACE INTERACTION, NAME=I\n*FRICTION\n{1:?}\n\
+             *CONTACT PAIR, INTERACTION=I, TYPE={kind}\n{slave}, {master}\n*BOUNDARY\nBASE, 1, 2\n\
+             *STEP, NLGEOM, INC=500\n*STATIC\n{increment:?}, 1.0, , {increment:?}\n*BOUNDARY\n",
+            self.unit, self.friction
+        )
+        .unwrap();
+        let most = if matches!(self.kind, Kind::Cpe8) { 6 } else { 3 };
+        for (j, i) in (0..=most).flat_map(|j: usize| (0..=most).map(move |i: usize| (j, i))) {
+            let exists = most == 3 || i % 2 == 0 || j % 2 == 0;
+            if (i != most && j != most) || !exists {
+                continue;
+            }
+            let from = place([i, j].map(|k| k as f64 / most as f64));
+            let [a, b] = [self.at(from), self.at(carry(from))];
+            let node = upper.node(i, j);
+            writeln!(deck, "{node}, 1, 1, {:?}\n{node}, 2, 2, {:?}", b[0] - a[0], b[1] - a[1]).unwrap();
+        }
+        deck.push_str("*END STEP\n");
+        deck
+    }
+
+    fn pressed(&self) -> String {
+        self.deck(0.25, |[x, y]| [x + 0.06, y - 0.05])
+    }
+}
+
+/// What a run leaves, with its edges or without; reactions are those of the upper nodes.
+fn run(deck: &str, with_edges: bool, check_tangent: TangentCheck) -> Last {
+    let read = Job::read_text("edges", deck, &ReadOptions::default());
+    let mut model = read.model.unwrap_or_else(|| panic!("{:#?}", read.diagnostics));
+    if !with_edges {
+        model.edge_pairs.clear();
+    }
+    let mut last = Last { watched: 10_000, ..Last::default() };
+    let options = SolveOptions { check_tangent, ..SolveOptions::default() };
+    let ending = solve(&model, &options, &mut last);
+    assert!(matches!(ending, Ending::Completed(_)), "{ending:?}\n{deck}");
+    last
+}
+
+fn near(one: &[[f64; 2]], other: &[[f64; 2]], part: f64) -> bool {
+    let size = one.iter().flatten().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let off = one.iter().zip(other).map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]));
+    one.len() == other.len() && off.fold(0.0, f64::max) <= part * size
+}
+
+/// Requirement: a corner that is pressed into a face and slid along it is held by the same force whichever side is named
+/// first, over faces and at nodes, with and without friction, linear and quadratic, turned and in other units;
+/// without its edges over faces it goes in without a force. Tangents are those of differences, pairs balance, and the force of
+/// the pair is that of the supports.
+#[test]
+fn a_corner_is_held_whichever_side_is_named_first() {
+    for kind in [Kind::Cpe4, Kind::Cpe8] {
+        for friction in [0.0, 0.3] {
+            let own = Standing { kind, friction, ..STANDING };
+            let first = run(&own.pressed(), true, TangentCheck::Every);
+            let force = first.curve.last().unwrap();
+            assert!(force[1] < -1.0, "{force:?}");
+            assert!(first.off < 1e-6 && first.worst < 1e-10, "{:e} {:e}", first.off, first.worst);
+            assert!((first.force[1] + force[1]).abs() < 1e-6 * force[1].abs(), "{:?}", first.force);
+            assert!((force[0].abs() > 0.1 * force[1].abs()) == (friction > 0.0), "{force:?}");
+            let rows: f64 = first.contact.iter().map(|row| row.pressure * row.area).sum();
+            assert!(rows > 0.9 * force[1].abs() && rows < 1.1 * force[1].abs(), "{rows}");
+            let none = run(&own.pressed(), false, TangentCheck::Never);
+            assert!(none.curve[1][1].abs() < 1e-9 * force[1].abs(), "{:?}", none.curve);
+            for (faces, upper_is_slave) in [(true, false), (false, false)] {
+                let other = Standing { faces, upper_is_slave, ..own };
+                let other_run = run(&other.pressed(), true, TangentCheck::Every);
+                assert!(near(&first.curve, &other_run.curve, if friction > 0.0 { 1e-3 } else { 1e-6 }), "{other:?} {:?} {:?}", first.curve, other_run.curve);
+                assert!(other_run.off < 1e-6 && other_run.worst < 1e-10, "{:e} {:e}", other_run.off, other_run.worst);
+            }
+            let moved = Standing { turned: 37.0, unit: 1e-3, ..own };
+            let curve: Vec<_> =
+                run(&moved.pressed(), true, TangentCheck::Never).curve.iter().map(|&own| turn(own, -37.0)).collect();
+            assert!(near(&first.curve, &curve, 1e-5), "{:?} {curve:?}", first.curve);
+        }
+    }
+}
+
+/// Requirement: blocks that lie flat on one another know nothing of their edges, whichever is the slave.
+#[test]
+fn flat_on_flat_knows_of_no_edges() {
+    for upper_is_slave in [true, false] {
+        let own = Standing { tilt: 0.0, upper_is_slave, friction: 0.2, ..STANDING };
+        let deck = own.deck(0.25, |[x, y]| [x + 0.06, y - 0.005]);
+        let [with, without] = [true, false].map(|edges| run(&deck, edges, TangentCheck::Never));
+        assert!(near(&with.curve, &without.curve, 1e-10), "{:?} {:?}", with.curve, without.curve);
+    }
+}
+
+/// Requirement: a block that stands on its corner and lies down ends as one that knew of no edges; on the way its
+/// corner is held. Energy balances with the square of the increment.
+#[test]
+fn a_block_that_lies_down_lets_its_edge_go() {
+    let own = Standing { tilt: 30.0, ..STANDING };
+    let down = |[x, y]: [f64; 2]| {
+        let [x, y] = turn([x - PLACE, y], -30.0);
+        [x + PLACE, y - 0.01]
+    };
+    let balances = [0.05, 0.0125].map(|increment| {
+        let deck = own.deck(increment, down);
+        let [with, without] = [true, false].map(|edges| run(&deck, edges, TangentCheck::Never));
+        let [end, other] = [&with, &without].map(|own| *own.curve.last().unwrap());
+        assert!(near(&[end], &[other], 1e-6), "{end:?} {other:?}");
+        let early = with.curve.len() / 4;
+        assert!(with.curve[early][1] < 10.0 * without.curve[early][1] - 1.0, "{:?}", with.curve);
+        with.balance.abs() / with.work
+    });
+    assert!(balances[1] < 0.02 && balances[1] < balances[0] / 10.0, "{balances:?}");
+}
