@@ -53,7 +53,8 @@ fn hand_edges_over(contact: &Contact, state: &State, rows: &mut [ContactRow]) {
             let part = share * now.area / row.area;
             row.pressure += part * now.pressure;
             for (way, into) in row.directions.into_iter().zip(&mut row.shear.0) {
-                *into += part * (now.traction[0] * dot(shear[0], way) + now.traction[1] * dot(shear[1], way));
+                *into += part
+                    * (now.traction[0] * dot(shear[0], way) + now.traction[1] * dot(shear[1], way));
             }
             row.dropped_work += share * now.dropped_work;
             row.ever_closed = true;

@@ -105,8 +105,9 @@ pub fn fault(plan: &Problem<'_>, report: &TangentReport) -> Option<Diagnostic> {
         return None;
     }
     let labels: Vec<u64> = plan.model.nodes.iter().map(|node| node.label).collect();
-    let pairs: Vec<String> =
-        (0..plan.contact.pair_count()).map(|pair| plan.model.contact_pairs[plan.contact.parent(pair)].name.clone()).collect();
+    let pairs: Vec<String> = (0..plan.contact.pair_count())
+        .map(|pair| plan.model.contact_pairs[plan.contact.parent(pair)].name.clone())
+        .collect();
     let message = format!(
         "the tangent of step {} increment {} disagrees with differences of the residual by {:.1e} \
          of its largest entry: {} is assembled as {:.6e}, differences give {:.6e}",

@@ -11,6 +11,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
 use crate::mortar_decks::{Block, Kind, Last};
+use crate::space_decks::turn as space_turn;
 use slideline::observe::Ending;
 use slideline::{Job, ReadOptions, SolveOptions, TangentCheck, solve};
 use std::fmt::Write as _;
@@ -88,7 +89,8 @@ impl Standing {
             let from = place([i, j].map(|k| k as f64 / most as f64));
             let [a, b] = [self.at(from), self.at(carry(from))];
             let node = upper.node(i, j);
-            writeln!(deck, "{node}, 1, 1, {:?}\n{node}, 2, 2, {:?}", b[0] - a[0], b[1] - a[1]).unwrap();
+            writeln!(deck, "{node}, 1, 1, {:?}\n{node}, 2, 2, {:?}", b[0] - a[0], b[1] - a[1])
+                .unwrap();
         }
         deck.push_str("*END STEP\n");
         deck
@@ -141,12 +143,25 @@ fn a_corner_is_held_whichever_side_is_named_first() {
             for (faces, upper_is_slave) in [(true, false), (false, false)] {
                 let other = Standing { faces, upper_is_slave, ..own };
                 let other_run = run(&other.pressed(), true, TangentCheck::Every);
-                assert!(near(&first.curve, &other_run.curve, if friction > 0.0 { 1e-3 } else { 1e-6 }), "{other:?} {:?} {:?}", first.curve, other_run.curve);
-                assert!(other_run.off < 1e-6 && other_run.worst < 1e-10, "{:e} {:e}", other_run.off, other_run.worst);
+                assert!(
+                    near(&first.curve, &other_run.curve, if friction > 0.0 { 1e-3 } else { 1e-6 }),
+                    "{other:?} {:?} {:?}",
+                    first.curve,
+                    other_run.curve
+                );
+                assert!(
+                    other_run.off < 1e-6 && other_run.worst < 1e-10,
+                    "{:e} {:e}",
+                    other_run.off,
+                    other_run.worst
+                );
             }
             let moved = Standing { turned: 37.0, unit: 1e-3, ..own };
-            let curve: Vec<_> =
-                run(&moved.pressed(), true, TangentCheck::Never).curve.iter().map(|&own| turn(own, -37.0)).collect();
+            let curve: Vec<_> = run(&moved.pressed(), true, TangentCheck::Never)
+                .curve
+                .iter()
+                .map(|&own| turn(own, -37.0))
+                .collect();
             assert!(near(&first.curve, &curve, 1e-5), "{:?} {curve:?}", first.curve);
         }
     }
@@ -182,4 +197,98 @@ fn a_block_that_lies_down_lets_its_edge_go() {
         with.balance.abs() / with.work
     });
     assert!(balances[1] < 0.02 && balances[1] < balances[0] / 10.0, "{balances:?}");
+}
+
+/// A block in space that stands on an edge, or on a corner, on a wider one.
+#[derive(Clone, Copy, Debug)]
+struct InSpace {
+    kind: crate::space_decks::Kind,
+    on_corner: bool,
+    faces: bool,
+    upper_is_slave: bool,
+    friction: f64,
+    turned: f64,
+}
+
+impl InSpace {
+    fn deck(&self) -> String {
+        use crate::space_decks::Block;
+        let mut deck = String::from("*HEADING\nsharp edges in space\n");
+        let lower = Block { name: "LOWER", base: 0, cells: [4, 4, 1], kind: self.kind };
+        let upper = Block { name: "UPPER", base: 10_000, cells: [2, 2, 2], kind: self.kind };
+        let turned = |x: [f64; 3]| space_turn(x, self.turned);
+        lower.write(&mut deck, |[x, y, z]| turned([2.0 * x - 1.0, 2.0 * y - 1.0, z - 1.0]));
+        // its edge along y, or its corner, is lowest
+        let second = if self.on_corner { 2.0_f64.sqrt().atan() } else { 45_f64.to_radians() };
+        let place = |[x, y, z]: [f64; 3]| {
+            let [x, y, z] = [0.6 * x, 0.6 * y, 0.6 * z];
+            let first = if self.on_corner { 45_f64.to_radians() } else { 0.0 };
+            let (s, c) = first.sin_cos();
+            let [y, z] = [c * y - s * z, s * y + c * z];
+            let (s, c) =
+                (if self.on_corner { second - std::f64::consts::FRAC_PI_2 } else { -second })
+                    .sin_cos();
+            let [x, z] = [c * x + s * z, -s * x + c * z];
+            [x + 0.11, y - if self.on_corner { -0.07 } else { 0.27 }, z]
+        };
+        upper.write(&mut deck, |x| turned(place(x)));
+        deck.push_str(&lower.surface("TOP", |[_, _, z]| z == 1.0));
+        deck.push_str(
+            &upper.surface("TIP", |[x, y, z]| x == 0.0 || z == 0.0 || (self.on_corner && y == 0.0)),
+        );
+        deck.push_str(&lower.set("BASE", |[_, _, z]| z == 0.0));
+        deck.push_str(
+            &upper.set("HEAD", |[x, y, z]| x == 1.0 || z == 1.0 || (self.on_corner && y == 1.0)),
+        );
+        let kind = if self.faces { "SURFACE TO SURFACE" } else { "NODE TO SURFACE" };
+        let (slave, master) = if self.upper_is_slave { ("TIP", "TOP") } else { ("TOP", "TIP") };
+        let way = turned([0.05, 0.02, -0.06]);
+        write!(
+            deck,
+            "*MATERIAL, NAME=M\n*ELASTIC\n1000.0, 0.3\n*SOLID SECTION, ELSET=LOWER, MATERIAL=M\n\
+             *SOLID SECTION, ELSET=UPPER, MATERIAL=M\n*SURFACE INTERACTION, NAME=I\n*FRICTION\n{:?}\n\
+             *CONTACT PAIR, INTERACTION=I, TYPE={kind}\n{slave}, {master}\n*BOUNDARY\nBASE, 1, 3\n\
+             *STEP, NLGEOM, INC=500\n*STATIC\n0.25, 1.0, , 0.25\n*BOUNDARY\nHEAD, 1, 1, {:?}\nHEAD, 2, 2, {:?}\n\
+             HEAD, 3, 3, {:?}\n*END STEP\n",
+            self.friction, way[0], way[1], way[2]
+        )
+        .unwrap();
+        deck
+    }
+}
+
+/// Requirement: the same of an edge and of a corner in space, of hexahedra and tetrahedra: one force whichever side is
+/// named first; turned, the turned force; tangents of differences, pairs in balance.
+#[test]
+fn an_edge_in_space_is_held_whichever_side_is_named_first() {
+    use crate::space_decks::{Kind, checked, solved};
+    for (kind, on_corner) in [(Kind::C3d8, false), (Kind::C3d8, true), (Kind::C3d4, true)] {
+        for friction in [0.0, 0.3] {
+            let (faces, upper_is_slave, turned) = (true, true, 0.0);
+            let own = InSpace { kind, on_corner, faces, upper_is_slave, friction, turned };
+            let first = checked(&own.deck());
+            let force = first.force();
+            assert!(force[2] > 1.0, "{own:?} {force:?}");
+            assert!(
+                first.off < 1e-6 && first.worst < 1e-10,
+                "{own:?} {:e} {:e}",
+                first.off,
+                first.worst
+            );
+            let off = |other: [f64; 3]| {
+                let apart = [0, 1, 2].map(|k| other[k] - force[k]);
+                crate::space_decks::size(apart) / crate::space_decks::size(force)
+            };
+            for faces in [true, false] {
+                let other = InSpace { faces, upper_is_slave: false, ..own };
+                let reaction = solved(&other.deck()).force().map(|own| -own);
+                assert!(
+                    off(reaction) < if friction > 0.0 { 1e-3 } else { 1e-6 },
+                    "{other:?} {force:?} {reaction:?}"
+                );
+            }
+            let turned = solved(&InSpace { turned: 0.7, ..own }.deck()).force();
+            assert!(off(space_turn(turned, -0.7)) < 1e-5, "{own:?} {force:?} {turned:?}");
+        }
+    }
 }

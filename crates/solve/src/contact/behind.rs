@@ -101,7 +101,9 @@ impl Contact {
         for (place, point) in self.points.iter().enumerate() {
             let now = kinematics.points()[place];
             let own = (point, self.offsets[point.pair]);
-            if presence.has_pair(self.parent(point.pair)) && stands_behind(own, &before[place], &now) {
+            if presence.has_pair(self.parent(point.pair))
+                && stands_behind(own, &before[place], &now)
+            {
                 kinematics.at_mut(place).turn_away_in_place();
             }
         }

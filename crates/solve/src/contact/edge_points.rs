@@ -121,7 +121,8 @@ impl Contact {
         let Self { points, edge_points, .. } = self;
         for own in edge_points {
             own.take_sizes(model, |point| points[point].node);
-            let area = |slave: &SlaveNode| slave.points.iter().map(|&p| points[p].area).sum::<f64>();
+            let area =
+                |slave: &SlaveNode| slave.points.iter().map(|&p| points[p].area).sum::<f64>();
             let areas: Vec<f64> = own.slaves.iter().map(area).collect();
             let mean = areas.iter().sum::<f64>() / areas.len().max(1) as f64;
             for place in own.range() {
@@ -214,7 +215,12 @@ impl Contact {
 
     /// Whether an edge point that was not held is deeper in a face than a face is long: it has come to it
     /// from behind, as round an open end.
-    pub(super) fn came_from_behind(&self, place: usize, deep: f64, before: Option<&PointState>) -> bool {
+    pub(super) fn came_from_behind(
+        &self,
+        place: usize,
+        deep: f64,
+        before: Option<&PointState>,
+    ) -> bool {
         let was_held = before.is_some_and(|before| before.closed);
         self.is_edge(place) && !was_held && deep > self.spacing[self.points[place].pair]
     }
@@ -240,7 +246,9 @@ impl Contact {
                 let face = &mesh.faces()[footing.place.face];
                 let corners = face.cell.faces.len();
                 let shares = footing.place.corner_shares(corners);
-                for (into, (node, share)) in about.iter_mut().zip(face.nodes.iter().zip(shares)).take(corners) {
+                for (into, (node, share)) in
+                    about.iter_mut().zip(face.nodes.iter().zip(shares)).take(corners)
+                {
                     *into = (own.seats[*node], share);
                 }
             }
@@ -264,7 +272,8 @@ impl Contact {
     /// Work of edges as more or less of their depth is allowed, by the trapezoidal rule [F L].
     pub(super) fn work_at_edges(&self, committed: &State, trial: &State) -> f64 {
         let own = self.places_of_edges();
-        let (Some(then), Some(now)) = (committed.points.get(own.clone()), trial.points.get(own)) else {
+        let (Some(then), Some(now)) = (committed.points.get(own.clone()), trial.points.get(own))
+        else {
             return 0.0;
         };
         let work = |(then, now): (&PointState, &PointState)| {
@@ -297,7 +306,8 @@ impl EdgePoints {
             let corners = face.cell().map_or(0, |cell| cell.faces.len());
             (0..corners).for_each(|k| add([face.nodes[k], face.nodes[(k + 1) % corners]]));
         }
-        let whole: (f64, f64) = sums.values().fold((0.0, 0.0), |sum, own| (sum.0 + own.0, sum.1 + own.1));
+        let whole: (f64, f64) =
+            sums.values().fold((0.0, 0.0), |sum, own| (sum.0 + own.0, sum.1 + own.1));
         for slave in &mut self.slaves {
             let own = slave.points.first().and_then(|&point| sums.get(&node(point)));
             let (sum, count) = own.copied().unwrap_or(whole);

@@ -146,7 +146,8 @@ impl Contact {
             mesh.forget_axes();
             if laws::is_directed(model, parent) {
                 let pair = &model.contact_pairs[parent];
-                let axes = |at| if reversed { pair.axes_of_slave(at) } else { pair.axes_of_master(at) };
+                let axes =
+                    |at| if reversed { pair.axes_of_slave(at) } else { pair.axes_of_master(at) };
                 mesh.take_axes(axes, |node| nodes[node].0);
             }
         }

@@ -18,8 +18,11 @@ impl Case<'_> {
     /// master at its bottom.
     pub(super) fn in_a_valley(&self) -> Option<(NodeIndex, NodeIndex)> {
         let points = self.plan.contact.points.iter().enumerate();
-        let pressing = points
-            .filter(|(place, point)| point.is_node() && !self.plan.contact.is_edge(*place) && self.work.evaluation.points[*place].closed);
+        let pressing = points.filter(|(place, point)| {
+            point.is_node()
+                && !self.plan.contact.is_edge(*place)
+                && self.work.evaluation.points[*place].closed
+        });
         pressing.into_iter().find_map(|(place, point)| {
             let pair = self.plan.pair_of(place);
             let Master::SlideLine(line) = &pair.master else { return None };
