@@ -12,6 +12,7 @@
 //! docs/theory.md section 5.17
 
 use crate::contact::{ContactElement, ContactPair, Formulation, Offset};
+use crate::edge_pair::EdgePair;
 use crate::model::Model;
 use crate::node::NodeIndex;
 use crate::surface::{ContactFace, Master, MasterFaces, SlideLine};
@@ -22,42 +23,9 @@ use std::collections::{HashMap, HashSet};
 /// Cosine of the turn of a surface from which on an edge is sharp [1]: 45 degrees.
 const SHARP: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
-/// Nodes of sharp edges on one side of a pair, and what they meet.
-#[derive(Clone, Debug, PartialEq)]
-pub struct EdgePair {
-    /// Place of the pair.
-    pub of: usize,
-    /// The nodes.
-    pub nodes: Vec<NodeIndex>,
-    /// Whether they are of the master, and meet the slave surface; or else of the slave, and meet the master.
-    pub is_of_master: bool,
-    /// What they meet, as nodes meet it.
-    pub met: Master,
-}
-
 /// Fraction of each segment that the parabola of a corner takes, so that an edge does not stand in a valley
 /// that it presses itself [1]: what `SMOOTH` is for contact at nodes.
 const SMOOTH: f64 = 0.2;
-
-impl EdgePair {
-    /// The faces of the surface that its nodes belong to, by their corners: in the plane with the material on
-    /// the left, in space counter-clockwise as seen from outside.
-    pub fn own_faces(&self, model: &Model) -> Vec<Vec<NodeIndex>> {
-        let pair = &model.contact_pairs[self.of];
-        let corners = |face: &ContactFace| Some(face.nodes[..face.cell()?.faces.len()].to_vec());
-        match (self.is_of_master, &pair.master) {
-            (false, _) if pair.faces.is_empty() => {
-                pair.elements.iter().map(|element| element.nodes.to_vec()).collect()
-            }
-            (false, _) => pair.faces.iter().filter_map(corners).collect(),
-            (true, Master::SlideLine(line)) => {
-                line.nodes.windows(2).map(|own| vec![own[1], own[0]]).collect()
-            }
-            (true, Master::Faces(faces)) => faces.faces.iter().filter_map(corners).collect(),
-            (true, Master::RigidSurface(_) | Master::Itself(_)) => Vec::new(),
-        }
-    }
-}
 
 impl Model {
     /// Finds the sharp edges of its pairs of solids anew.

@@ -17,6 +17,7 @@ mod contact;
 mod controls;
 mod dialect;
 mod driven;
+mod edge_pair;
 mod edges;
 mod element;
 mod friction;
@@ -43,7 +44,7 @@ pub use contact::{Adjust, ContactElement, ContactPair, Formulation, Interaction,
 pub use controls::{Controls, FieldControls, TimeIncrementation};
 pub use dialect::Dialect;
 pub use driven::Driven;
-pub use edges::EdgePair;
+pub use edge_pair::EdgePair;
 pub use element::block::{Allowable, Beams, Element, ElementBlock, Elements, Limit, Springs};
 pub use element::element_type::{
     ElementType, Field, Kinematics, Location, Undeformed, mean_at_nodes,

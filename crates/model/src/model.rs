@@ -3,7 +3,7 @@
 use crate::amplitude::Amplitude;
 use crate::contact::ContactPair;
 use crate::dialect::Dialect;
-use crate::edges::EdgePair;
+use crate::edge_pair::EdgePair;
 use crate::element::block::{Allowable, ElementBlock};
 use crate::initial_stress::{InitialHardening, InitialStress};
 use crate::kept_shape::KeptShape;

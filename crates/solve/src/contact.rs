@@ -19,6 +19,7 @@ mod edge_points;
 mod edges;
 mod faces;
 mod facing;
+mod held_edges;
 mod idle;
 mod interference;
 mod kinematics;

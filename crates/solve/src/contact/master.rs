@@ -16,7 +16,7 @@ use slideline_mech::contact::search::own_faces::OwnFaces;
 use slideline_mech::contact::search::sharp;
 use slideline_mech::rigid::{Attachment, PointMap};
 use slideline_mech::surface::mesh::{FaceMesh, MeshFace};
-use slideline_model::{MasterFaces, Model, NodeIndex, OwnSurface, SlideLine, SurfaceRun};
+use slideline_model::{Master, MasterFaces, Model, NodeIndex, OwnSurface, SlideLine, SurfaceRun};
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -63,6 +63,20 @@ pub enum MasterSurface {
 }
 
 impl MasterSurface {
+    /// A master whose nodes follow those of the masters before; faces of the slave are so long [L].
+    pub fn of(
+        (model, dofs): (&Model, &DofMap),
+        said: &Master,
+        (offset, slave): (usize, f64),
+    ) -> MasterSurface {
+        match said {
+            Master::RigidSurface(surface) => Self::body(model, dofs, surface, slave),
+            Master::SlideLine(line) => Self::chain(model, dofs, line, (offset, slave)),
+            Master::Faces(faces) => Self::faces(model, dofs, faces, offset),
+            Master::Itself(surface) => Self::itself(model, dofs, surface, offset),
+        }
+    }
+
     /// The master of a chain of nodes; faces of the slave are so long [L].
     pub fn chain(
         model: &Model,

@@ -14,6 +14,7 @@ use slideline_mech::contact::friction::FrictionLaw;
 use slideline_mech::contact::gap::offset::Offset;
 use slideline_mech::contact::pair::Laws;
 use slideline_model::{Allowed, Amplitude, ContactPair, Formulation, Model, NodeIndex};
+use std::ops::Range;
 
 /// What is allowed of overclosure at the points of a pair.
 #[derive(Clone, Debug)]
@@ -163,6 +164,70 @@ impl Contact {
             && self.allowances.is_empty()
             && self.points.iter().all(SlavePoint::is_node)
             && self.laws.iter().all(|laws| laws.user.is_none())
+    }
+
+    /// Adds a point without its numbers.
+    pub(super) fn add_point(
+        &mut self,
+        pair_place: usize,
+        pair: &ContactPair,
+        node: NodeIndex,
+        carrier: Carrier,
+    ) {
+        let (state_variables, state_size) = (self.state_size, state_size(pair));
+        self.state_size += state_size;
+        let (pair, area) = (pair_place, 0.0);
+        let (mortar, seat, faces) = (None, 0, Vec::new());
+        self.points.push(SlavePoint {
+            pair,
+            node,
+            area,
+            state_variables,
+            state_size,
+            mortar,
+            seat,
+            faces,
+            carrier,
+        });
+    }
+
+    /// Pairs of the model: those of edges come behind them.
+    pub fn own_pairs(&self) -> usize {
+        self.masters.len() - self.edge_points.len()
+    }
+
+    /// The pair of the model that a pair is, or whose edges it has.
+    pub fn parent(&self, pair: usize) -> usize {
+        let edges = pair.checked_sub(self.own_pairs());
+        edges.map_or(pair, |own| self.edge_points[own].of)
+    }
+
+    /// The pairs of the edges of a pair of the model.
+    pub(super) fn edges_of(&self, pair: usize) -> Vec<usize> {
+        let own = self.edge_points.iter().enumerate().filter(|(_, own)| own.of == pair);
+        own.map(|(place, _)| self.own_pairs() + place).collect()
+    }
+
+    /// Whether a pair of edges meets the slave: its nodes are those of the master.
+    pub fn is_reversed(&self, pair: usize) -> bool {
+        let edges = pair.checked_sub(self.own_pairs());
+        edges.is_some_and(|own| self.edge_points[own].of_master)
+    }
+
+    /// Whether a point is of a sharp edge.
+    pub fn is_edge(&self, place: usize) -> bool {
+        self.points[place].pair >= self.own_pairs()
+    }
+
+    /// Whether no edge is held in a state of the points.
+    pub fn edges_are_open(&self, points: &[PointState]) -> bool {
+        self.places_of_edges().all(|place| !points[place].closed)
+    }
+
+    /// The points of sharp edges.
+    pub fn places_of_edges(&self) -> Range<usize> {
+        let first = self.edge_points.first().map_or(self.points.len(), |own| own.first);
+        first..self.points.len()
     }
 
     /// Number of pairs, those of sharp edges among them.

@@ -1,10 +1,10 @@
 //! The pairs of a model prepared: which points there are, which dofs they follow, which masters.
 
-use super::laws::{self, mean_length, state_size};
+use super::laws::{self, mean_length};
 use super::master::MasterSurface;
 use super::mortar::slave::Mortar;
 use super::mortar_faces::slave::FaceMortar;
-use super::pairs::{Carrier, Contact, SlavePoint};
+use super::pairs::{Carrier, Contact};
 use super::profiles::placed;
 use super::segment::{CELLS, SEGMENT_POINTS, STRETCHES, SlaveSegment};
 use super::shear::{Shear, sheared_beams};
@@ -14,7 +14,7 @@ use crate::users::UserFrictions;
 use slideline_mech::contact::pair::Stretch;
 use slideline_mech::contact::points::integration_points::POINTS;
 use slideline_mech::contact::search::rigid::RigidSegment;
-use slideline_model::{ContactPair, Dof, Formulation, Master, Model, NodeIndex, RigidSurface};
+use slideline_model::{ContactPair, Dof, Formulation, Model, NodeIndex, RigidSurface};
 use std::collections::{HashMap, HashSet};
 
 impl Contact {
@@ -59,7 +59,8 @@ impl Contact {
             let length = mean_length(model, pair);
             contact.laws.push(laws::laws(model, pair, length, users));
             contact.keeps.push(pair.interaction.no_separation);
-            let master = contact.master(model, dofs, &pair.master, length);
+            let places = (contact.chain_nodes, length);
+            let master = MasterSurface::of((model, dofs), &pair.master, places);
             contact.chain_nodes += master.nodes().len();
             contact.spacing.push(laws::spacing(model, length, &master));
             contact.masters.push(master);
@@ -77,26 +78,6 @@ impl Contact {
         contact.follow_pairs(model);
         contact.take_slave_faces(model);
         contact
-    }
-
-    /// The master of a pair, whose nodes follow those of the masters before.
-    pub(super) fn master(
-        &self,
-        model: &Model,
-        dofs: &DofMap,
-        said: &Master,
-        length: f64,
-    ) -> MasterSurface {
-        match said {
-            Master::RigidSurface(surface) => MasterSurface::body(model, dofs, surface, length),
-            Master::SlideLine(line) => {
-                MasterSurface::chain(model, dofs, line, (self.chain_nodes, length))
-            }
-            Master::Faces(faces) => MasterSurface::faces(model, dofs, faces, self.chain_nodes),
-            Master::Itself(surface) => {
-                MasterSurface::itself(model, dofs, surface, self.chain_nodes)
-            }
-        }
     }
 
     /// Where the points of a surface that meets itself stand on it.
@@ -172,31 +153,6 @@ impl Contact {
         all.extend(self.slave_nodes[place].iter().chain(of_faces));
         all.sort_unstable();
         all.dedup();
-    }
-
-    /// Adds a point without its numbers.
-    pub(super) fn add_point(
-        &mut self,
-        pair_place: usize,
-        pair: &ContactPair,
-        node: NodeIndex,
-        carrier: Carrier,
-    ) {
-        let (state_variables, state_size) = (self.state_size, state_size(pair));
-        self.state_size += state_size;
-        let (pair, area) = (pair_place, 0.0);
-        let (mortar, seat, faces) = (None, 0, Vec::new());
-        self.points.push(SlavePoint {
-            pair,
-            node,
-            area,
-            state_variables,
-            state_size,
-            mortar,
-            seat,
-            faces,
-            carrier,
-        });
     }
 
     /// Adds the elements of a pair as segments of integration points, without their numbers.
