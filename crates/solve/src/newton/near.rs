@@ -60,7 +60,7 @@ impl Scratch {
     }
 
     /// Stands where the converged trial `of` stands, with all that the time prescribes in a
-    /// neighbour; nothing is evaluated.
+    /// neighbour; what follows other dofs stays where it is, and nothing is evaluated.
     pub fn stand_near(
         &mut self,
         plan: &Problem<'_>,
@@ -78,7 +78,7 @@ impl Scratch {
         self.dashpots.forget(plan.contact);
         self.dt = target.dt;
         self.load.resize(self.u.len(), 0.0);
-        self.follow_time(plan, committed, target);
+        self.set_time(plan, committed, target);
         self.held.hold(std::iter::empty());
     }
 

@@ -160,7 +160,7 @@ impl Border {
         (residual, defects): (&mut [f64], &mut [f64]),
     ) -> Result<(), SolveError> {
         residual.iter_mut().for_each(|value| *value = -*value);
-        solver.solve(residual)?;
+        solver.respond(residual)?;
         if self.rows.is_empty() {
             return Ok(());
         }

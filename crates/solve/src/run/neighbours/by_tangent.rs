@@ -76,11 +76,11 @@ impl Increment<'_> {
         let base = linear.base;
         self.move_prescribed(pair, base, room);
         let stored = self.touch_elements(pair, base, room)?;
-        self.move_points(pair, base, room);
+        self.move_points(pair, base, (room, |place| base.evaluation.points[place].closed));
         self.hold_laws(pair, (base, kept), room);
         self.collect_forces(pair, (base, kept), room);
         self.solve(pair, linear, room)?;
-        self.move_points(pair, base, room);
+        self.move_points(pair, base, (room, |_| true));
         self.follow_laws(pair, base, room)?;
         for (k, step) in pair.steps().into_iter().enumerate() {
             move_by(&base.u, (step, &room.tangent.moved), &mut room.sides[k].u);
@@ -94,7 +94,7 @@ impl Increment<'_> {
         // these are known without a difference
         let rates = &room.tangent;
         into.iter_mut().zip(&rates.moved).for_each(|(rate, known)| *rate = *known);
-        into.iter().all(|rate| rate.is_finite()).then_some(())
+        rates.moved.iter().all(|rate| rate.is_finite()).then_some(())
     }
 
     /// Rates of the prescribed dofs and of those that follow them.
@@ -110,6 +110,9 @@ impl Increment<'_> {
         }
         constraints.expand(&base.evaluation.rows, moved);
         rates.still(self.new.points.len());
+        for (step, side) in pair.steps().into_iter().zip(sides) {
+            move_by(&base.u, (step, moved), &mut side.u);
+        }
     }
 
     /// Forces that the parameter makes of the elements, displacements held; the rate of their energy.
@@ -136,11 +139,16 @@ impl Increment<'_> {
         Some(stored)
     }
 
-    /// Moves the closed points, or all that face their masters once the unknowns move, along their rows.
-    fn move_points(&self, pair: &Pair<'_>, base: &Scratch, room: &mut Room) {
+    /// Moves points that are asked for, and that face their masters, along their rows.
+    fn move_points(
+        &self,
+        pair: &Pair<'_>,
+        base: &Scratch,
+        (room, moves): (&mut Room, impl Fn(usize) -> bool),
+    ) {
         let Room { sides, tangent: Moves { moved, .. }, .. } = room;
         for (place, from) in base.evaluation.kinematics.iter().enumerate() {
-            if !from.faces {
+            if !from.faces || !moves(place) {
                 continue;
             }
             let along = |row: &[f64]| -> f64 {
@@ -239,6 +247,9 @@ impl Increment<'_> {
         let constraints = &self.plan.constraints;
         if !constraints.has_dependents() {
             return;
+        }
+        if !constraints.turns_along(moved) {
+            return constraints.carry(&base.evaluation.rows, rates);
         }
         let mut all = of_elements.to_vec();
         for (place, own) in base.evaluation.points.iter().enumerate().filter(|(_, own)| own.closed)
