@@ -41,9 +41,15 @@ impl Increment<'_> {
     ) -> ControlFlow<Stop> {
         room.fit(self.plan, self.target.step);
         let mut base = std::mem::take(&mut room.base);
-        base.evaluate_committed(self.plan, self.old, self.target, self.new);
+        let changed = base.change_with(self.plan, work, self.new);
+        if !changed {
+            base.evaluate_committed(self.plan, self.old, self.target, self.new);
+        }
         let mut kept = std::mem::take(&mut room.kept);
         let told = self.courses(varied, (&base, work, room), &mut kept, observer);
+        if changed {
+            std::mem::swap(&mut base.evaluation, &mut work.evaluation);
+        }
         (room.base, room.kept) = (base, kept);
         told
     }

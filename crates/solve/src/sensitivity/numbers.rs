@@ -32,12 +32,14 @@ fn move_numbers(numbers: &mut [f64], (rates, h): (&mut &[f64], f64)) {
 
 /// Adds weighted states; what is infinite in all of them counts as still.
 pub fn combine_states<'a>(states: impl Iterator<Item = (f64, &'a mut State)>, into: &mut Vec<f64>) {
-    into.clear();
+    into.fill(0.0);
+    let mut end = 0;
     for (weight, state) in states {
         let mut place = 0;
         each_of_state(state, &mut |numbers| add(into, &mut place, (weight, numbers)));
+        end = place.max(end);
     }
-    finish(into);
+    finish(into, end);
 }
 
 /// Adds weighted beginnings of a step.
@@ -45,12 +47,14 @@ pub fn combine_starts<'a>(
     starts: impl Iterator<Item = (f64, &'a mut Start<'static>)>,
     into: &mut Vec<f64>,
 ) {
-    into.clear();
+    into.fill(0.0);
+    let mut end = 0;
     for (weight, start) in starts {
         let mut place = 0;
         each_of_start(start, &mut |numbers| add(into, &mut place, (weight, numbers)));
+        end = place.max(end);
     }
-    finish(into);
+    finish(into, end);
 }
 
 /// Adds weighted numbers from a place on, which moves behind them.
@@ -65,7 +69,8 @@ fn add(into: &mut Vec<f64>, place: &mut usize, (weight, numbers): (f64, &[f64]))
     *place = end;
 }
 
-fn finish(list: &mut [f64]) {
+fn finish(list: &mut Vec<f64>, end: usize) {
+    list.truncate(end);
     list.iter_mut().for_each(|value| *value = if value.is_finite() { *value } else { 0.0 });
 }
 
@@ -190,16 +195,20 @@ fn each_of_state(state: &mut State, call: &mut impl FnMut(&mut [f64])) {
 
 #[inline]
 fn each_of_point(point: &mut PointState, call: &mut impl FnMut(&mut [f64])) {
-    let PointState { pressure, traction, opening, along, elastic_slip, slip, .. } = point;
-    call(from_mut(pressure));
-    call(from_mut(opening));
-    for direction in [traction, elastic_slip, slip].into_iter().chain(along) {
-        call(&mut direction.0);
-    }
-    let PointState { dissipated, dropped_work, position, normal, area, xi, footing, .. } = point;
-    [dissipated, dropped_work, area, xi].into_iter().for_each(|own| call(from_mut(own)));
-    call(position);
-    call(normal);
+    let PointState { pressure, traction, opening, elastic_slip, slip, .. } = point;
+    let PointState { dissipated, dropped_work, position, normal, area, xi, .. } = point;
+    // one call for all: most states are lists of points
+    let [[t0, t1], [e0, e1], [s0, s1]] = [traction, elastic_slip, slip].map(|own| own.0.each_mut());
+    let ([x, y, z], [a, b, c]) = (position.each_mut(), normal.each_mut());
+    let places = [
+        pressure, opening, t0, t1, e0, e1, s0, s1, dissipated, dropped_work, area, xi, x, y, z, a,
+        b, c,
+    ];
+    let mut numbers = places.each_ref().map(|place| **place);
+    call(&mut numbers);
+    places.into_iter().zip(numbers).for_each(|(place, number)| *place = number);
+    let PointState { along, footing, .. } = point;
+    along.iter_mut().for_each(|own| call(&mut own.0));
     let Some(Footing { place, normal, direction, bearing }) = footing else { return };
     call(&mut place.at);
     call(normal);
