@@ -24,6 +24,7 @@ mod kept_shape;
 mod load;
 mod model;
 mod node;
+mod numbered;
 mod numbering;
 mod output;
 mod presence;
@@ -57,6 +58,7 @@ pub use kept_shape::KeptShape;
 pub use load::{Distributed, Load, Pressed, Pressure};
 pub use model::Model;
 pub use node::{Dof, LinearConstraint, Node, NodeIndex, NodeSet, Nodes, RigidLink};
+pub use numbered::{Mixed, Numbered, NumberedSet};
 pub use numbering::{Name, Numbering};
 pub use output::{
     ContactPrint, ContactVariable, ElementPrint, ElementVariable, NodePrint, NodeVariable,

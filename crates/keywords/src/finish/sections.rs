@@ -71,7 +71,8 @@ pub(super) fn sections(draft: &mut Draft) {
         }
     }
     let owned: Vec<bool> = owner.iter().map(Option::is_some).collect();
-    for row in TYPES {
+    let types = TYPES.into_iter().filter(|_| owned.contains(&false));
+    for row in types {
         if let Some(card) = row.kinematics.card().filter(|_| row.joins()) {
             without(row, card, &owned, draft);
         }
@@ -335,7 +336,7 @@ fn middle_is_sound(
 /// Complains about elements that no card gave a stiffness.
 pub(super) fn without(row: &'static ElementType, card: &str, owned: &[bool], draft: &mut Draft) {
     let kind = ElementKind::Structural(row);
-    let lonely = |&(index, element): &(usize, &Element)| element.kind == kind && !owned[index];
+    let lonely = |&(index, element): &(usize, &Element)| !owned[index] && element.kind == kind;
     let count = draft.elements.iter().enumerate().filter(lonely).count();
     let Some((_, first)) = draft.elements.iter().enumerate().find(lonely) else { return };
     let more = if count > 1 { format!(" (and {} more)", count - 1) } else { String::new() };

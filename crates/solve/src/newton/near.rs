@@ -125,7 +125,11 @@ impl Scratch {
         };
         let points = evaluation.points.iter().zip(&now.points);
         let is_whole = !evaluation.look.idle.contains(&true) && evaluation.failed.is_none();
-        if !is_whole || of.is_stabilised() || of.u != now.displacement || !points.into_iter().all(stood) {
+        if !is_whole
+            || of.is_stabilised()
+            || of.u != now.displacement
+            || !points.into_iter().all(stood)
+        {
             return false;
         }
         self.u.clone_from(&of.u);

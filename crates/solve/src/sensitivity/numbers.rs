@@ -201,8 +201,24 @@ fn each_of_point(point: &mut PointState, call: &mut impl FnMut(&mut [f64])) {
     let [[t0, t1], [e0, e1], [s0, s1]] = [traction, elastic_slip, slip].map(|own| own.0.each_mut());
     let ([x, y, z], [a, b, c]) = (position.each_mut(), normal.each_mut());
     let places = [
-        pressure, opening, t0, t1, e0, e1, s0, s1, dissipated, dropped_work, area, xi, x, y, z, a,
-        b, c,
+        pressure,
+        opening,
+        t0,
+        t1,
+        e0,
+        e1,
+        s0,
+        s1,
+        dissipated,
+        dropped_work,
+        area,
+        xi,
+        x,
+        y,
+        z,
+        a,
+        b,
+        c,
     ];
     let mut numbers = places.each_ref().map(|place| **place);
     call(&mut numbers);
