@@ -225,8 +225,8 @@ fn find_rule(parameter: &Parameter, keyword: Form, log: &mut Log) -> Option<&'st
     let word = &parameter.name;
     let name = normalise(&word.raw);
     let found = resolve(&name, &refs, |rule| rule.name);
-    if let (Match::Unknown | Match::Abbreviation(_) | Match::Ambiguous(_), Some(help)) =
-        (&found, crate::unsupported::parameter(keyword.name, &name))
+    if !matches!(found, Match::Exact(_))
+        && let Some(help) = crate::unsupported::parameter(keyword.name, &name)
     {
         let message = format!("{} of *{} is not supported", word.raw, keyword.name);
         let error = Diagnostic::error(Code("SL0221"), message).at(word.span);

@@ -23,6 +23,7 @@ pub use border::{Border, leaves_hard_branch};
 pub use neighbour::{Level, Surroundings};
 pub use numbers::{
     Bend, bend, combine_starts, combine_states, is_same_branch, move_start, move_state,
+    rates_between,
 };
 pub use parameter::{Parameter, SensitivityFault};
 pub use stencil::{OFFSETS, PAIR, Side, Sides, Weights};

@@ -71,8 +71,10 @@ pub(super) fn sections(draft: &mut Draft) {
         }
     }
     let owned: Vec<bool> = owner.iter().map(Option::is_some).collect();
-    let types = TYPES.into_iter().filter(|_| owned.contains(&false));
-    for row in types {
+    let elements = draft.elements.iter().zip(&owned);
+    let lonely = elements.filter(|(element, owned)| !**owned && element.kind.card().is_some());
+    let lonely: Vec<ElementKind> = lonely.map(|(element, _)| element.kind).collect();
+    for row in TYPES.into_iter().filter(|row| lonely.contains(&ElementKind::Structural(row))) {
         if let Some(card) = row.kinematics.card().filter(|_| row.joins()) {
             without(row, card, &owned, draft);
         }

@@ -126,7 +126,7 @@ impl Increment<'_> {
         if let Some((level, touched, known)) = own.beside(self.plan.start) {
             let around: [Surroundings<'_>; 2] = self.surroundings(level, known, room);
             let problems = around.each_ref().map(|own| own.problem(self.plan, self.target.step));
-            let pair = Pair { problems: &problems, touched, h: level.h };
+            let pair = Pair { problems: &problems, touched, known, h: level.h };
             told = self.by_tangent(&pair, (linear, kept), room, &mut rates).is_some();
             if told {
                 let near = AlongRates::of(

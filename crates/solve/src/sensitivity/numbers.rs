@@ -5,6 +5,7 @@ use crate::state::{PointState, State};
 use slideline_mech::contact::pair::Footing;
 use slideline_mech::element::Temperature;
 use slideline_mech::turn::Turn;
+use std::ops::Range;
 use std::slice::from_mut;
 
 /// A state moved by `h` times its derivative; of another length, not at all.
@@ -39,7 +40,31 @@ pub fn combine_states<'a>(states: impl Iterator<Item = (f64, &'a mut State)>, in
         each_of_state(state, &mut |numbers| add(into, &mut place, (weight, numbers)));
         end = place.max(end);
     }
-    finish(into, end);
+    finish(into, 0..end);
+}
+
+/// The rates of a state between two neighbours, those of its lists of dofs being known.
+pub fn rates_between<'a>(
+    states: impl Iterator<Item = (f64, &'a mut State)>,
+    lists: [&[f64]; LISTS],
+    into: &mut Vec<f64>,
+) {
+    let begin = lists.iter().map(|list| list.len()).sum();
+    let mut end = begin;
+    into.resize(begin, 0.0);
+    into[begin..].fill(0.0);
+    let mut rest = &mut into[..begin];
+    for list in lists {
+        let (own, behind) = rest.split_at_mut(list.len());
+        own.copy_from_slice(list);
+        rest = behind;
+    }
+    for (weight, state) in states {
+        let mut place = begin;
+        each_beyond_dofs(state, &mut |numbers| add(into, &mut place, (weight, numbers)));
+        end = place;
+    }
+    finish(into, begin..end);
 }
 
 /// Adds weighted beginnings of a step.
@@ -54,7 +79,7 @@ pub fn combine_starts<'a>(
         each_of_start(start, &mut |numbers| add(into, &mut place, (weight, numbers)));
         end = place.max(end);
     }
-    finish(into, end);
+    finish(into, 0..end);
 }
 
 /// Adds weighted numbers from a place on, which moves behind them.
@@ -69,9 +94,9 @@ fn add(into: &mut Vec<f64>, place: &mut usize, (weight, numbers): (f64, &[f64]))
     *place = end;
 }
 
-fn finish(list: &mut Vec<f64>, end: usize) {
-    list.truncate(end);
-    list.iter_mut().for_each(|value| *value = if value.is_finite() { *value } else { 0.0 });
+fn finish(list: &mut Vec<f64>, own: Range<usize>) {
+    list.truncate(own.end);
+    list[own].iter_mut().for_each(|value| *value = if value.is_finite() { *value } else { 0.0 });
 }
 
 /// Whether two states of a contact point stand on the same branch of its laws, and on the same
@@ -158,20 +183,21 @@ pub fn bend(states: &[State; 4], base: &State, steps: (f64, f64), least_force: f
     of.into_iter().fold(0.0, f64::max)
 }
 
-/// Calls with the numbers of a state, list by list.
+/// How many numbers of a state are lists of all dofs.
+const LISTS: usize = 5;
+
+/// Calls with the numbers of a state, list by list, displacements first.
 fn each_of_state(state: &mut State, call: &mut impl FnMut(&mut [f64])) {
-    // displacements first: `Increment::by_tangent` counts on it
-    let lists = [
-        &mut state.displacement,
-        &mut state.increment,
-        &mut state.increment_before,
-        &mut state.reaction,
-        &mut state.load,
-        &mut state.state_variables,
-        &mut state.elements,
-        &mut state.damping,
-    ];
-    lists.into_iter().for_each(|list| call(list));
+    let State { displacement, increment, increment_before, reaction, load, .. } = state;
+    let of_dofs: [_; LISTS] = [displacement, increment, increment_before, reaction, load];
+    of_dofs.into_iter().for_each(|list| call(list));
+    each_beyond_dofs(state, call);
+}
+
+/// The same without the lists of dofs.
+fn each_beyond_dofs(state: &mut State, call: &mut impl FnMut(&mut [f64])) {
+    let State { state_variables, elements, damping, .. } = state;
+    [state_variables, elements, damping].into_iter().for_each(|list| call(list));
     state.points.iter_mut().for_each(|point| each_of_point(point, call));
     each_temperature(&mut state.temperatures, call);
     state.turns.iter_mut().for_each(|turn| each_of_turn(turn, call));
@@ -195,34 +221,37 @@ fn each_of_state(state: &mut State, call: &mut impl FnMut(&mut [f64])) {
 
 #[inline]
 fn each_of_point(point: &mut PointState, call: &mut impl FnMut(&mut [f64])) {
-    let PointState { pressure, traction, opening, elastic_slip, slip, .. } = point;
-    let PointState { dissipated, dropped_work, position, normal, area, xi, .. } = point;
-    // one call for all: most states are lists of points
-    let [[t0, t1], [e0, e1], [s0, s1]] = [traction, elastic_slip, slip].map(|own| own.0.each_mut());
-    let ([x, y, z], [a, b, c]) = (position.each_mut(), normal.each_mut());
-    let places = [
+    let PointState { traction: t, elastic_slip: e, slip: s, position: x, normal: n, .. } = *point;
+    let PointState { pressure, opening, dissipated, dropped_work, area, xi, .. } = *point;
+    // all at once: most states are lists of points
+    let mut numbers = [
         pressure,
         opening,
-        t0,
-        t1,
-        e0,
-        e1,
-        s0,
-        s1,
         dissipated,
         dropped_work,
         area,
         xi,
-        x,
-        y,
-        z,
-        a,
-        b,
-        c,
+        t.0[0],
+        t.0[1],
+        e.0[0],
+        e.0[1],
+        s.0[0],
+        s.0[1],
+        x[0],
+        x[1],
+        x[2],
+        n[0],
+        n[1],
+        n[2],
     ];
-    let mut numbers = places.each_ref().map(|place| **place);
     call(&mut numbers);
-    places.into_iter().zip(numbers).for_each(|(place, number)| *place = number);
+    let [of_laws @ .., x0, x1, x2, n0, n1, n2] = numbers;
+    let [pressure, opening, dissipated, dropped_work, area, xi, t0, t1, e0, e1, s0, s1] = of_laws;
+    (point.pressure, point.opening) = (pressure, opening);
+    (point.dissipated, point.dropped_work) = (dissipated, dropped_work);
+    (point.area, point.xi) = (area, xi);
+    (point.traction.0, point.elastic_slip.0, point.slip.0) = ([t0, t1], [e0, e1], [s0, s1]);
+    (point.position, point.normal) = ([x0, x1, x2], [n0, n1, n2]);
     let PointState { along, footing, .. } = point;
     along.iter_mut().for_each(|own| call(&mut own.0));
     let Some(Footing { place, normal, direction, bearing }) = footing else { return };

@@ -20,7 +20,7 @@ use crate::moments::turn_moments;
 use crate::newton::Scratch;
 use crate::problem::Problem;
 use crate::sensitivity::{
-    Bend, PAIR, Sides, Touched, combine_states, is_same_branch, leaves_hard_branch,
+    Bend, PAIR, Sides, Touched, is_same_branch, leaves_hard_branch, rates_between,
 };
 use crate::state::PointState;
 use crate::structure::{Ambient, Configuration};
@@ -35,6 +35,8 @@ const SMOOTH: f64 = 1e-3;
 pub struct Pair<'a> {
     pub problems: &'a [Problem<'a>; 2],
     pub touched: &'a Touched,
+    /// Rates of the state before.
+    pub known: &'a [f64],
     pub h: f64,
 }
 
@@ -89,12 +91,29 @@ impl Increment<'_> {
         let worked = dot(&kept.force, &room.tangent.moved);
         self.commit_both(pair, (base, stored + worked), room);
         self.is_smooth_there(pair, room).then_some(())?;
-        let both = pair.weights().into_iter().zip(&mut room.after);
-        combine_states(both, into);
-        // these are known without a difference
-        let rates = &room.tangent;
-        into.iter_mut().zip(&rates.moved).for_each(|(rate, known)| *rate = *known);
-        rates.moved.iter().all(|rate| rate.is_finite()).then_some(())
+        self.collect_rates(pair, room, into)?;
+        let Moves { moved, force, .. } = &room.tangent;
+        moved.iter().chain(force).all(|rate| rate.is_finite()).then_some(())
+    }
+
+    /// The rates of the state: those of the lists of dofs are known without a difference.
+    fn collect_rates(&self, pair: &Pair<'_>, room: &mut Room, into: &mut Vec<f64>) -> Option<()> {
+        let Room { after, tangent: Moves { moved, force, pair: [increment, load], .. }, .. } = room;
+        let (before, rest) = pair.known.split_at_checked(moved.len())?;
+        let increment_before = rest.get(..moved.len())?;
+        move_by(moved, (-1.0, before), increment);
+        for (force, role) in force.iter_mut().zip(&self.plan.constraints.roles) {
+            if !matches!(role, Role::Prescribed(_)) {
+                *force = 0.0;
+            }
+        }
+        let [below, above] = pair.weights();
+        let loads = after[0].load.iter().zip(&after[1].load);
+        load.clear();
+        load.extend(loads.map(|(one, other)| below * one + above * other));
+        let lists = [&moved[..], increment, increment_before, force, load];
+        rates_between(pair.weights().into_iter().zip(after), lists, into);
+        Some(())
     }
 
     /// Rates of the prescribed dofs and of those that follow them.
@@ -343,7 +362,9 @@ impl Increment<'_> {
             let mut pressed = std::mem::take(&mut into.pressed);
             problem.faces.press(side.faces(), (&side.u, &side.turns), &mut pressed);
             side.evaluation.pressed = pressed;
-            after[k].copy_from(&before[k]);
+            if !after[k].has_room_of(&before[k]) {
+                after[k].copy_from(&before[k]);
+            }
             commit(problem, &before[k], self.target, side, &mut after[k]);
         }
     }
