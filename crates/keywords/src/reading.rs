@@ -27,7 +27,9 @@ pub(crate) enum Match<T> {
 pub(crate) fn resolve<T: Copy>(word: &str, known: &[T], name: fn(&T) -> &'static str) -> Match<T> {
     // Known names are upper case; a deck of nothing but unknown words asks often.
     let letters = |entry: &T| name(entry).bytes().filter(|&byte| byte != b' ');
-    if let Some(&exact) = known.iter().find(|entry| letters(entry).eq(word.bytes())) {
+    let first = word.bytes().next();
+    let mut alike = known.iter().filter(|entry| name(entry).bytes().next() == first);
+    if let Some(&exact) = alike.find(|entry| letters(entry).eq(word.bytes())) {
         return Match::Exact(exact);
     }
     if word.len() < 2 {

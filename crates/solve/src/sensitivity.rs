@@ -27,6 +27,6 @@ pub use numbers::{
 };
 pub use parameter::{Parameter, SensitivityFault};
 pub use stencil::{OFFSETS, PAIR, Side, Sides, Weights};
-pub use touched::Touched;
+pub use touched::{Touch, Touched};
 pub use tries::{Tries, Try};
 pub use varied::{Varied, sensitivity_fault};

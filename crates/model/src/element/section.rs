@@ -29,6 +29,32 @@ impl Section {
             Self::Spring(_) | Self::Properties(_) => None,
         }
     }
+
+    /// By which factor all stresses of another section are those of this one at the same strains,
+    /// where that is all that differs: by that of the modulus.
+    pub fn stresses_of(&self, other: &Self) -> Option<f64> {
+        let (own, others) = match (self, other) {
+            (Self::Beam(own), Self::Beam(other)) => {
+                let given = own.shear.stiffness.is_some() || own.shear.across.is_some();
+                let alike = BeamSection { material: own.material, ..other.clone() } == *own;
+                (alike && !given && own.heat.is_none()).then_some((own.material, other.material))?
+            }
+            (Self::Solid(own), Self::Solid(other)) => {
+                let alike =
+                    own.thickness == other.thickness && own.orientation == other.orientation;
+                match (&own.material, &other.material) {
+                    (Material::Elastic(one, by), Material::Elastic(two, as_well))
+                        if alike && by == as_well =>
+                    {
+                        (*one, *two)
+                    }
+                    _ => return None,
+                }
+            }
+            _ => return None,
+        };
+        (own.poisson == others.poisson && own.modulus > 0.0).then(|| others.modulus / own.modulus)
+    }
 }
 
 /// A section of an elastic material.

@@ -20,7 +20,7 @@ use crate::moments::turn_moments;
 use crate::newton::Scratch;
 use crate::problem::Problem;
 use crate::sensitivity::{
-    Bend, PAIR, Sides, Touched, is_same_branch, leaves_hard_branch, rates_between,
+    Bend, PAIR, Sides, Touch, Touched, is_same_branch, leaves_hard_branch, rates_between,
 };
 use crate::state::PointState;
 use crate::structure::{Ambient, Configuration};
@@ -141,8 +141,16 @@ impl Increment<'_> {
         let heated = sides[0].temperatures != sides[1].temperatures;
         let mut stored = 0.0;
         for (number, block) in self.plan.structure.blocks() {
-            if !heated && !pair.touched.blocks[block] {
-                continue;
+            match pair.touched.blocks[block] {
+                Touch::Not if !heated => continue,
+                Touch::Stresses(factors) if !heated => {
+                    let both = pair.weights().into_iter().zip(factors);
+                    let rate = both.map(|(weight, factor)| weight * factor).sum();
+                    let forces = (rate, &base.evaluation.contributions);
+                    stored += self.plan.structure.add_block(number, forces, touched)?;
+                    continue;
+                }
+                _ => {}
             }
             for (k, weight) in pair.weights().into_iter().enumerate() {
                 let structure = &pair.problems[k].structure;
