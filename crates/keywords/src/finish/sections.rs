@@ -114,13 +114,13 @@ fn blocks(
     let of_card =
         TYPES.into_iter().filter(|row| row.kinematics.card() == Some(section.body.card()));
     for (place, row) in of_card.enumerate() {
-        let mut block = ElementBlock::new(row, &section.set, made.clone(), section.origin);
         let own = claimed.iter().position(|(kind, _)| *kind == row);
-        if let Some(own) = own {
-            block.elements = claimed.swap_remove(own).1;
-            block.section = axes.put_on(block.section, &block.elements, draft);
-        }
         if own.is_some() || (none && place == 0) {
+            let mut block = ElementBlock::new(row, &section.set, made.clone(), section.origin);
+            if let Some(own) = own {
+                block.elements = claimed.swap_remove(own).1;
+                block.section = axes.put_on(block.section, &block.elements, draft);
+            }
             draft.model.blocks.push(block);
         }
         let turned = pointing.iter().filter(|own| own.kind == row);
