@@ -15,16 +15,14 @@ pub type NumberedSet<K> = HashSet<K, BuildHasherDefault<Mixed>>;
 /// 2^64 over the golden ratio, odd: neighbours come to lie far apart (Knuth, The Art of Computer
 /// Programming 3, 6.4).
 const SPREAD: u64 = 0x9e37_79b9_7f4a_7c15;
-/// Bits of a word of which those above are mixed best: they become the low ones.
-const BEST: u32 = 32;
 
-/// Numbers multiplied into one word.
+/// Numbers multiplied into one word, both halves of each product folded together.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Mixed(u64);
 
 impl Hasher for Mixed {
     fn finish(&self) -> u64 {
-        self.0.rotate_left(BEST)
+        self.0
     }
 
     fn write(&mut self, bytes: &[u8]) {
@@ -33,7 +31,8 @@ impl Hasher for Mixed {
 
     #[inline]
     fn write_u64(&mut self, number: u64) {
-        self.0 = (self.0 ^ number).wrapping_mul(SPREAD);
+        let product = u128::from(self.0 ^ number) * u128::from(SPREAD);
+        self.0 = product as u64 ^ (product >> 64) as u64;
     }
 
     #[inline]
@@ -61,7 +60,7 @@ mod tests {
             label.hash(&mut own);
             own.finish()
         };
-        for step in [1, 10, 1000, 1024, 1 << 20, 100_000] {
+        for step in [1, 10, 1000, 1024, 1 << 20, 100_000, 1 << 32] {
             let all = (0..1024_u64).map(|k| hash(k * step));
             let places: HashSet<u64> = all.clone().map(|own| own % 1024).collect();
             let words: HashSet<u64> = all.map(|own| own >> 57).collect();
