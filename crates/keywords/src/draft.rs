@@ -12,7 +12,7 @@ use std::collections::HashMap;
 
 use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_model::{Dialect, Dof, Interaction, Model, Node, NodeIndex, SavedStates};
+use slideline_model::{Dialect, Dof, Interaction, Model, Node, NodeIndex, Numbered, SavedStates};
 
 use crate::axes::{Distribution, Orientation, Transform};
 use crate::constraints::{Coupling, Equation, Link, PreTension, ShapeMpc, Tie};
@@ -63,19 +63,19 @@ pub(crate) struct Draft {
     pub elements: Vec<Element>,
     /// Whether one of them moves in space.
     spatial: bool,
-    pub element_by_label: HashMap<u64, usize>,
+    pub element_by_label: Numbered<u64, usize>,
     pub sections: Vec<Section>,
     pub materials: Vec<Material>,
     pub allowables: Vec<Allowable>,
     /// Section of each element by its label, when it is first asked for.
-    pub section_of: HashMap<u64, usize>,
+    pub section_of: Numbered<u64, usize>,
     /// Mass of each MASS element by its label, when sets are resolved.
-    pub mass_of: HashMap<u64, f64>,
+    pub mass_of: Numbered<u64, f64>,
     pub springs: Vec<Spring>,
     pub gaps: Vec<Gap>,
     pub normals: Vec<Normal>,
     /// Axis 1 of the sections of beams that have one of their own, by the place of the element.
-    pub first_axes: HashMap<usize, [f64; 3]>,
+    pub first_axes: Numbered<usize, [f64; 3]>,
     pub masses: Vec<PointMass>,
     pub surfaces: Vec<Surface>,
     pub interfaces: Vec<Interface>,
@@ -103,13 +103,13 @@ pub(crate) struct Draft {
     /// Names of `*DISTRIBUTION TABLE`s of axes.
     pub distribution_tables: Vec<String>,
     /// Axes of the nodes that have their own, when all cards are read.
-    pub axes: HashMap<NodeIndex, slideline_model::Axes>,
+    pub axes: Numbered<NodeIndex, slideline_model::Axes>,
     pub pre_tensions: Vec<PreTension>,
     /// The nodes that cuts by pre-tension sections have added, and those that they stand for.
-    pub cut_nodes: HashMap<u64, u64>,
+    pub cut_nodes: Numbered<u64, u64>,
     pub shape_mpcs: Vec<ShapeMpc>,
     /// Dofs that follow others, and where it was said; known when links are resolved.
-    pub dependents: HashMap<(NodeIndex, Dof), Span>,
+    pub dependents: Numbered<(NodeIndex, Dof), Span>,
     pub parts: Parts<Contents>,
     /// `*SYSTEM`: the axes in which coordinates of nodes are given.
     pub node_frame: Option<Frame>,

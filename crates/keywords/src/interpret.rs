@@ -2,13 +2,14 @@
 
 use std::borrow::Cow;
 
-use slideline_deck::{Card, Loader, Parsed, nearest, normalise, parse};
+use slideline_deck::{Card, Deck, Loader, Parsed, nearest, normalise, parse};
 use slideline_diag::{Code, Diagnostic, Severity, Sources, Span};
 use slideline_model::{Dialect, Model};
 
 use crate::draft::{Draft, Owner};
 use crate::earlier::{Earlier, MAY_FOLLOW};
 use crate::keyword::Keyword;
+use crate::log::Log;
 use crate::overrides::{Overrides, Setting};
 use crate::reading::{Match, Reading, note_abbreviation, resolve};
 use crate::registry::REGISTRY;
@@ -51,6 +52,35 @@ pub fn interpret_with(settings: &[Setting], parsed: &Parsed, dialect: Dialect) -
     interpret_after(&[], settings, parsed, dialect)
 }
 
+/// A parsed deck whose misprints were looked for, to be given its meaning with many values.
+#[derive(Clone, Debug)]
+pub struct Prepared {
+    parsed: Parsed,
+    dialect: Dialect,
+    has_misprints: bool,
+}
+
+impl Prepared {
+    /// That of a parsed deck.
+    pub fn new(parsed: Parsed, dialect: Dialect) -> Self {
+        let has_misprints = traps::has_misprints(&parsed.deck);
+        Self { parsed, dialect, has_misprints }
+    }
+
+    /// Gives it its meaning, as [`interpret_with`] does.
+    pub fn interpret_with(&self, settings: &[Setting]) -> Interpreted {
+        let mend = if self.has_misprints { traps::mend } else { as_they_are };
+        interpret_mended((&[], settings), &self.parsed, (self.dialect, mend))
+    }
+}
+
+/// How misprints of cards are mended.
+type Mend = for<'d> fn(&'d Deck, &mut Log) -> Vec<Cow<'d, Card>>;
+
+fn as_they_are<'d>(deck: &'d Deck, _: &mut Log) -> Vec<Cow<'d, Card>> {
+    deck.cards.iter().map(Cow::Borrowed).collect()
+}
+
 /// Gives a deck with `*RESTART, READ` its meaning: the cards of the decks it
 /// goes on from, as far as they were walked, then its own.
 pub fn interpret_after(
@@ -58,6 +88,14 @@ pub fn interpret_after(
     settings: &[Setting],
     parsed: &Parsed,
     dialect: Dialect,
+) -> Interpreted {
+    interpret_mended((earlier, settings), parsed, (dialect, traps::mend))
+}
+
+fn interpret_mended(
+    (earlier, settings): (&[Earlier<'_>], &[Setting]),
+    parsed: &Parsed,
+    (dialect, mend): (Dialect, Mend),
 ) -> Interpreted {
     let mut draft = Draft::new(dialect);
     for (place, part) in earlier.iter().enumerate() {
@@ -73,7 +111,7 @@ pub fn interpret_after(
         draft.mark_all_incomplete();
     }
     draft.overrides = Overrides::of(settings, &mut draft.log);
-    let cards = traps::mend(&parsed.deck, &mut draft.log);
+    let cards = mend(&parsed.deck, &mut draft.log);
     let stray_history = read_cards(&cards, &mut draft, usize::MAX);
     draft.overrides.complain_of_unmet(&draft.parameters, &mut draft.log);
     let nothing = cards.is_empty();

@@ -47,7 +47,7 @@ mod unsupported;
 
 pub use draft::{MAX_EXPANDED, MAX_GENERATED};
 pub use earlier::{Earlier, ReadRequest, read_request};
-pub use interpret::{Interpreted, interpret, interpret_after, interpret_with, read};
+pub use interpret::{Interpreted, Prepared, interpret, interpret_after, interpret_with, read};
 pub use overrides::Setting;
 pub use registry::{Description, describe, keywords};
 pub use rule::{Level, Rule, Takes};

@@ -27,7 +27,9 @@ pub(crate) enum Match<T> {
 pub(crate) fn resolve<T: Copy>(word: &str, known: &[T], name: fn(&T) -> &'static str) -> Match<T> {
     // Known names are upper case; a deck of nothing but unknown words asks often.
     let letters = |entry: &T| name(entry).bytes().filter(|&byte| byte != b' ');
-    if let Some(&exact) = known.iter().find(|entry| letters(entry).eq(word.bytes())) {
+    let first = word.bytes().next();
+    let mut alike = known.iter().filter(|entry| name(entry).bytes().next() == first);
+    if let Some(&exact) = alike.find(|entry| letters(entry).eq(word.bytes())) {
         return Match::Exact(exact);
     }
     if word.len() < 2 {
@@ -225,8 +227,8 @@ fn find_rule(parameter: &Parameter, keyword: Form, log: &mut Log) -> Option<&'st
     let word = &parameter.name;
     let name = normalise(&word.raw);
     let found = resolve(&name, &refs, |rule| rule.name);
-    if let (Match::Unknown | Match::Abbreviation(_) | Match::Ambiguous(_), Some(help)) =
-        (&found, crate::unsupported::parameter(keyword.name, &name))
+    if !matches!(found, Match::Exact(_))
+        && let Some(help) = crate::unsupported::parameter(keyword.name, &name)
     {
         let message = format!("{} of *{} is not supported", word.raw, keyword.name);
         let error = Diagnostic::error(Code("SL0221"), message).at(word.span);

@@ -3,6 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 use slideline_diag::Span;
+use slideline_model::NumberedSet;
 
 /// What a set is made of, in the order in which it joined.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -31,11 +32,14 @@ pub(crate) struct Sets {
 impl Sets {
     /// Makes the set known, empty if it is new.
     pub fn open(&mut self, name: &str, origin: Span) -> &mut NamedSet {
-        let new = self.list.len();
-        let index = *self.by_name.entry(name.to_owned()).or_insert(new);
-        if index == new {
-            self.list.push(NamedSet { name: name.to_owned(), items: Vec::new(), origin });
-        }
+        let index = match self.by_name.get(name) {
+            Some(&index) => index,
+            None => {
+                self.by_name.insert(name.to_owned(), self.list.len());
+                self.list.push(NamedSet { name: name.to_owned(), items: Vec::new(), origin });
+                self.list.len() - 1
+            }
+        };
         &mut self.list[index]
     }
 
@@ -65,7 +69,7 @@ impl Sets {
     /// ones passed over.
     pub fn members(&self, name: &str) -> Option<Vec<(u64, Span)>> {
         self.get(name)?;
-        let mut seen = HashSet::new();
+        let mut seen = NumberedSet::default();
         let mut open = HashSet::new();
         let mut members = Vec::new();
         let mut waiting = vec![(name.to_owned(), 0)];

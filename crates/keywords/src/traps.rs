@@ -59,6 +59,13 @@ pub(crate) fn mend<'d>(deck: &'d Deck, log: &mut Log) -> Vec<Cow<'d, Card>> {
     cards
 }
 
+/// Whether there is something to mend.
+pub(crate) fn has_misprints(deck: &Deck) -> bool {
+    let mut log = Log::default();
+    let mended = mend(deck, &mut log);
+    mended.iter().any(|card| matches!(card, Cow::Owned(_))) || !log.into_diagnostics().is_empty()
+}
+
 /// Every name a data line may refer to.
 fn set_names(deck: &Deck) -> HashSet<String> {
     let parameters = deck.cards.iter().flat_map(|card| &card.parameters);

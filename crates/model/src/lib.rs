@@ -26,6 +26,7 @@ mod kept_shape;
 mod load;
 mod model;
 mod node;
+mod numbered;
 mod numbering;
 mod output;
 mod presence;
@@ -60,6 +61,7 @@ pub use kept_shape::KeptShape;
 pub use load::{Distributed, Load, Pressed, Pressure};
 pub use model::Model;
 pub use node::{Dof, LinearConstraint, Node, NodeIndex, NodeSet, Nodes, RigidLink};
+pub use numbered::{Mixed, Numbered, NumberedSet};
 pub use numbering::{Name, Numbering};
 pub use output::{
     ContactPrint, ContactVariable, ElementPrint, ElementVariable, NodePrint, NodeVariable,

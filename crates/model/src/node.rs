@@ -1,8 +1,8 @@
 //! Nodes, their degrees of freedom, and links that make them rigid.
 
+use crate::numbered::Numbered;
 use crate::numbering::{Name, Numbering};
 use slideline_diag::Span;
-use std::collections::HashMap;
 
 /// Place of a node in [`Nodes`].
 pub type NodeIndex = usize;
@@ -86,7 +86,7 @@ pub struct Node {
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Nodes {
     list: Vec<Node>,
-    by_label: HashMap<u64, NodeIndex>,
+    by_label: Numbered<u64, NodeIndex>,
     numbering: Numbering,
 }
 

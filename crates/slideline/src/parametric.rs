@@ -3,16 +3,15 @@
 use crate::read::Read;
 use slideline_deck::Parsed;
 use slideline_diag::{Code, Diagnostic, Severity, has_errors};
-use slideline_keywords::{Setting, interpret_with};
-use slideline_model::{Dialect, Model, Onset};
+use slideline_keywords::{Prepared, Setting};
+use slideline_model::{Model, Onset};
 use slideline_solve::Parameter;
 use std::sync::Arc;
 
 /// A deck whose cards were read, waiting for values.
 #[derive(Clone, Debug)]
 pub struct Parametric {
-    parsed: Parsed,
-    dialect: Dialect,
+    deck: Prepared,
     onset: Option<Onset>,
 }
 
@@ -26,9 +25,9 @@ impl Parametric {
             let help = "Put all steps into one deck.";
             return Err(Box::new(Diagnostic::error(Code("SL0802"), message).help(help)));
         }
+        let parsed = Parsed { deck: read.deck.clone(), diagnostics: of_the_text(read) };
         Ok(Self {
-            parsed: Parsed { deck: read.deck.clone(), diagnostics: of_the_text(read) },
-            dialect: read.options.dialect.unwrap_or_default(),
+            deck: Prepared::new(parsed, read.options.dialect.unwrap_or_default()),
             onset: read.options.friction_onset,
         })
     }
@@ -41,7 +40,7 @@ impl Parametric {
 
     /// Names and values of the parameters that are numbers of their own, in the order of the deck.
     pub fn numbers(&self, settings: &[Setting]) -> Vec<(String, f64)> {
-        interpret_with(settings, &self.parsed, self.dialect).numbers
+        self.deck.interpret_with(settings).numbers
     }
 
     /// Parameters as a run is differentiated by them, each from the values of `settings`. One that is
@@ -69,7 +68,7 @@ impl Parametric {
 
     /// The same with everything that reading has to say.
     pub fn read(&self, settings: &[Setting]) -> Result<(Model, Vec<Diagnostic>), Vec<Diagnostic>> {
-        let interpreted = interpret_with(settings, &self.parsed, self.dialect);
+        let interpreted = self.deck.interpret_with(settings);
         let mut said = interpreted.diagnostics;
         let mut model = interpreted.model;
         model.friction_onset = self.onset.unwrap_or(model.friction_onset);

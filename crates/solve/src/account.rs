@@ -41,10 +41,12 @@ pub fn account(plan: &Problem<'_>, committed: &State, work: &Scratch, trial: &mu
         stabilisation: before.stabilisation + damped(committed, trial),
         ..*before
     };
-    for dof in 0..plan.dofs.len() {
-        let mean_reaction = 0.5 * (committed.reaction[dof] + trial.reaction[dof]);
-        let mean_load = 0.5 * (committed.load[dof] + trial.load[dof]);
-        energy.external_work += (mean_reaction + mean_load) * trial.increment[dof];
+    let reactions = committed.reaction.iter().zip(&trial.reaction);
+    let loads = committed.load.iter().zip(&trial.load);
+    for ((reaction, load), increment) in reactions.zip(loads).zip(&trial.increment) {
+        let mean_reaction = 0.5 * (reaction.0 + reaction.1);
+        let mean_load = 0.5 * (load.0 + load.1);
+        energy.external_work += (mean_reaction + mean_load) * increment;
     }
     energy.external_work += plan.contact.interference_work(committed, trial);
     let brought = brought(plan, committed, trial);

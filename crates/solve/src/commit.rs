@@ -27,19 +27,21 @@ pub fn commit(
     trial.step_time = target.step_time;
     trial.displacement.copy_from_slice(&work.u);
     come_to_rest(plan, trial);
-    for (dof, increment) in trial.increment.iter_mut().enumerate() {
-        *increment = work.u[dof] - committed.displacement[dof];
-    }
+    let ways = work.u.iter().zip(&committed.displacement);
+    trial.increment.iter_mut().zip(ways).for_each(|(increment, (now, before))| {
+        *increment = now - before;
+    });
     trial.increment_before.copy_from_slice(&committed.increment);
     trial.increment_time = (target.dt, committed.increment_time.0);
     trial.load.copy_from_slice(&work.load);
     trial.load.iter_mut().zip(&evaluation.pressed).for_each(|(load, own)| *load += own);
-    for (dof, role) in plan.constraints.roles.iter().enumerate() {
-        trial.reaction[dof] = match role {
+    let roles = plan.constraints.roles.iter().enumerate();
+    trial.reaction.iter_mut().zip(roles).for_each(|(reaction, (dof, role))| {
+        *reaction = match role {
             Role::Prescribed(_) => evaluation.unbalanced(dof),
             _ => 0.0,
         };
-    }
+    });
     trial.temperatures.clone_from(&work.temperatures);
     begin_turns(plan, committed, trial);
     trial.points.copy_from_slice(&evaluation.points);
@@ -66,7 +68,7 @@ pub fn commit(
 fn come_to_rest(plan: &Problem<'_>, trial: &mut State) {
     let nothing = f64::EPSILON.powi(4);
     for &dof in &plan.constraints.dof_of_equation {
-        let size = if plan.dofs.name(dof).1.is_rotation() { 1.0 } else { plan.reach };
+        let size = if plan.dofs.is_rotation(dof) { 1.0 } else { plan.reach };
         if trial.displacement[dof].abs() < nothing * size {
             trial.displacement[dof] = 0.0;
         }

@@ -34,6 +34,8 @@ pub struct DofMap {
     active: Vec<bool>,
     /// Those that are rotations.
     rotations: Vec<usize>,
+    /// Nodes that turn in space, each with its three rotations along the axes of the model.
+    turning: Vec<(NodeIndex, [usize; 3])>,
     /// Directions that some node has.
     kinds: Vec<Dof>,
 }
@@ -83,6 +85,7 @@ impl DofMap {
         let mut rotations = Vec::with_capacity((0..count).filter(turning).count());
         rotations.extend((0..count).filter(turning));
         map.rotations = rotations;
+        map.turning = map.find_turning();
         let used = |dof: &Dof| dof.is_plane() || map.names.iter().any(|(_, own)| own == dof);
         map.kinds = Dof::ALL.into_iter().filter(used).collect();
         map
@@ -188,15 +191,20 @@ impl DofMap {
 
     /// Nodes that turn in space, each with its three rotations along the axes of the model.
     pub fn rotations_in_space(&self) -> impl Iterator<Item = (NodeIndex, [usize; 3])> + '_ {
+        self.turning.iter().copied()
+    }
+
+    fn find_turning(&self) -> Vec<(NodeIndex, [usize; 3])> {
         let plain = self.rotations.iter().take_while(|&&dof| dof < self.plain());
-        plain.filter_map(|&dof| match self.names[dof..].first_chunk::<3>()? {
+        let found = plain.filter_map(|&dof| match self.names[dof..].first_chunk::<3>()? {
             &[(node, Dof::UR1), (second, Dof::UR2), (third, Dof::UR3)]
                 if node == second && node == third =>
             {
                 Some((node, [dof, dof + 1, dof + 2]))
             }
             _ => None,
-        })
+        });
+        found.collect()
     }
 
     /// Number of nodes.

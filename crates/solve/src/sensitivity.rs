@@ -23,9 +23,10 @@ pub use border::{Border, leaves_hard_branch};
 pub use neighbour::{Level, Surroundings};
 pub use numbers::{
     Bend, bend, combine_starts, combine_states, is_same_branch, move_start, move_state,
+    rates_between,
 };
 pub use parameter::{Parameter, SensitivityFault};
 pub use stencil::{OFFSETS, PAIR, Side, Sides, Weights};
-pub use touched::Touched;
+pub use touched::{Touch, Touched};
 pub use tries::{Tries, Try};
 pub use varied::{Varied, sensitivity_fault};

@@ -128,6 +128,16 @@ impl PointState {
 }
 
 impl State {
+    /// Whether its lists are as long as those of another state.
+    pub fn has_room_of(&self, other: &Self) -> bool {
+        let lengths = |own: &Self| {
+            let dofs = (own.displacement.len(), own.increment.len(), own.reaction.len());
+            let of_laws = (own.state_variables.len(), own.elements.len());
+            (dofs, own.increment_before.len(), own.load.len(), own.points.len(), of_laws)
+        };
+        lengths(self) == lengths(other)
+    }
+
     /// Becomes a copy of another state, in the room it has.
     pub fn copy_from(&mut self, from: &Self) {
         let Self { total_time, step_time, increment_time, .. } = *from;

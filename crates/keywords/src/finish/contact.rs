@@ -5,8 +5,8 @@ use std::collections::HashMap;
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
-    ContactElement, ContactPair, Interaction, Lumping, Master, MasterFaces, NodeIndex, Offset,
-    RigidSurface, SlideLine, Vocabulary,
+    ContactElement, ContactPair, Interaction, Lumping, Master, MasterFaces, NodeIndex, Numbered,
+    Offset, RigidSurface, SlideLine, Vocabulary,
 };
 
 use crate::draft::{Draft, ElementKind, Shape, Surface};
@@ -16,7 +16,7 @@ pub(super) fn pairs(draft: &mut Draft) {
     let surfaces = std::mem::take(&mut draft.surfaces);
     twice(&surfaces, draft);
     let strayed = without_surface(&surfaces, draft);
-    let mut in_pair: HashMap<usize, Span> = HashMap::new();
+    let mut in_pair: Numbered<usize, Span> = Numbered::default();
     for surface in &surfaces {
         pair(surface, strayed, &mut in_pair, draft);
     }
@@ -82,7 +82,7 @@ fn twice(surfaces: &[Surface], draft: &mut Draft) {
     }
 }
 
-fn pair(surface: &Surface, strayed: bool, in_pair: &mut HashMap<usize, Span>, draft: &mut Draft) {
+fn pair(surface: &Surface, strayed: bool, in_pair: &mut Numbered<usize, Span>, draft: &mut Draft) {
     let kind = match surface.shape {
         Shape::Rigid { .. } => ElementKind::Irs21,
         Shape::Line { .. } => ElementKind::Isl21,
@@ -144,7 +144,7 @@ fn pair(surface: &Surface, strayed: bool, in_pair: &mut HashMap<usize, Span>, dr
 }
 
 /// An element that is in two pairs.
-fn shared(index: usize, surface: &Surface, in_pair: &mut HashMap<usize, Span>, draft: &mut Draft) {
+fn shared(index: usize, surface: &Surface, in_pair: &mut Numbered<usize, Span>, draft: &mut Draft) {
     if let Some(first) = in_pair.insert(index, surface.set_span)
         && first != surface.set_span
     {

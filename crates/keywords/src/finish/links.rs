@@ -4,7 +4,7 @@
 use std::collections::HashSet;
 
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{Dof, NodeIndex, RigidLink};
+use slideline_model::{Dof, NodeIndex, NumberedSet, RigidLink};
 
 use super::coupling::couple;
 use super::equations;
@@ -19,7 +19,7 @@ pub(super) fn links(draft: &mut Draft) {
     let (beams, equal): (Vec<_>, Vec<_>) =
         std::mem::take(&mut draft.links).into_iter().partition(|link| link.kind == LinkKind::Beam);
     for link in beams {
-        one(&link, &HashSet::new(), draft);
+        one(&link, &NumberedSet::default(), draft);
     }
     for body in draft.bodies.clone() {
         tie_body(&body, draft);
@@ -32,7 +32,7 @@ pub(super) fn links(draft: &mut Draft) {
     }
     rigid_meshes(draft);
     chains(draft);
-    let turning = turning(draft);
+    let turning = if equal.is_empty() { NumberedSet::default() } else { turning(draft) };
     for link in equal {
         one(&link, &turning, draft);
     }
@@ -77,7 +77,7 @@ fn tie_body(body: &RigidBody, draft: &mut Draft) {
     }
 }
 
-fn one(link: &Link, turning: &HashSet<(NodeIndex, Dof)>, draft: &mut Draft) {
+fn one(link: &Link, turning: &NumberedSet<(NodeIndex, Dof)>, draft: &mut Draft) {
     let masters = draft.nodes_of(&link.master, link.master_span);
     let nodes = draft.nodes_of(&link.dependent, link.dependent_span);
     if masters.len() > 1 {
@@ -105,7 +105,7 @@ fn one(link: &Link, turning: &HashSet<(NodeIndex, Dof)>, draft: &mut Draft) {
 fn equal(
     link: &Link,
     (dependent, master): (NodeIndex, NodeIndex),
-    turning: &HashSet<(NodeIndex, Dof)>,
+    turning: &NumberedSet<(NodeIndex, Dof)>,
     draft: &mut Draft,
 ) {
     let turns = |dof| [dependent, master].iter().all(|&node| turning.contains(&(node, dof)));
@@ -121,10 +121,10 @@ fn equal(
 }
 
 /// Nodes and their rotations that elements or bodies turn.
-pub(super) fn turning(draft: &Draft) -> HashSet<(NodeIndex, Dof)> {
+pub(super) fn turning(draft: &Draft) -> NumberedSet<(NodeIndex, Dof)> {
     let masters = draft.model.rigid_links.iter().map(|link| link.master);
     let rotations = || Dof::ALL.into_iter().filter(|dof| dof.is_rotation());
-    let mut turning: HashSet<(NodeIndex, Dof)> =
+    let mut turning: NumberedSet<(NodeIndex, Dof)> =
         masters.flat_map(|node| rotations().map(move |dof| (node, dof))).collect();
     for block in &draft.model.blocks {
         for &dof in block.dofs().iter().filter(|dof| dof.is_rotation()) {

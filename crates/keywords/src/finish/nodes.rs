@@ -1,9 +1,7 @@
 //! Sets and elements refer to things that exist.
 
-use std::collections::HashSet;
-
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_model::{Dialect, NodeSet};
+use slideline_model::{Dialect, NodeSet, NumberedSet};
 
 use super::unknown::unknown_set;
 use crate::draft::Draft;
@@ -53,7 +51,7 @@ pub(super) fn sets(draft: &mut Draft) {
 /// `*NSET, ELSET=`: the nodes of elements join node sets, each once.
 fn of_elements(draft: &mut Draft) {
     for (name, elements) in std::mem::take(&mut draft.node_sets_of_elements) {
-        let mut seen = HashSet::new();
+        let mut seen = NumberedSet::default();
         for index in draft.elements_of(&elements.name, elements.span).unwrap_or_default() {
             let element = draft.elements[index];
             for &node in element.nodes() {

@@ -35,6 +35,9 @@ pub(super) fn cut(draft: &mut Draft) -> Vec<Parted> {
 
 /// Makes the own side of every cut follow the other side and the reference node.
 pub(super) fn tie(parted: &[Parted], draft: &mut Draft) {
+    if parted.is_empty() {
+        return;
+    }
     let turning = super::links::turning(draft);
     for Parted { pairs, reference, normal, origin } in parted {
         for &(other, own) in pairs {

@@ -71,7 +71,10 @@ pub(super) fn sections(draft: &mut Draft) {
         }
     }
     let owned: Vec<bool> = owner.iter().map(Option::is_some).collect();
-    for row in TYPES {
+    let elements = draft.elements.iter().zip(&owned);
+    let lonely = elements.filter(|(element, owned)| !**owned && element.kind.card().is_some());
+    let lonely: Vec<ElementKind> = lonely.map(|(element, _)| element.kind).collect();
+    for row in TYPES.into_iter().filter(|row| lonely.contains(&ElementKind::Structural(row))) {
         if let Some(card) = row.kinematics.card().filter(|_| row.joins()) {
             without(row, card, &owned, draft);
         }
@@ -111,13 +114,13 @@ fn blocks(
     let of_card =
         TYPES.into_iter().filter(|row| row.kinematics.card() == Some(section.body.card()));
     for (place, row) in of_card.enumerate() {
-        let mut block = ElementBlock::new(row, &section.set, made.clone(), section.origin);
         let own = claimed.iter().position(|(kind, _)| *kind == row);
-        if let Some(own) = own {
-            block.elements = claimed.swap_remove(own).1;
-            block.section = axes.put_on(block.section, &block.elements, draft);
-        }
         if own.is_some() || (none && place == 0) {
+            let mut block = ElementBlock::new(row, &section.set, made.clone(), section.origin);
+            if let Some(own) = own {
+                block.elements = claimed.swap_remove(own).1;
+                block.section = axes.put_on(block.section, &block.elements, draft);
+            }
             draft.model.blocks.push(block);
         }
         let turned = pointing.iter().filter(|own| own.kind == row);
@@ -335,7 +338,7 @@ fn middle_is_sound(
 /// Complains about elements that no card gave a stiffness.
 pub(super) fn without(row: &'static ElementType, card: &str, owned: &[bool], draft: &mut Draft) {
     let kind = ElementKind::Structural(row);
-    let lonely = |&(index, element): &(usize, &Element)| element.kind == kind && !owned[index];
+    let lonely = |&(index, element): &(usize, &Element)| !owned[index] && element.kind == kind;
     let count = draft.elements.iter().enumerate().filter(lonely).count();
     let Some((_, first)) = draft.elements.iter().enumerate().find(lonely) else { return };
     let more = if count > 1 { format!(" (and {} more)", count - 1) } else { String::new() };

@@ -14,7 +14,7 @@ use std::collections::HashSet;
 
 use slideline_diag::{Code, Diagnostic};
 use slideline_mech::kept_shape;
-use slideline_model::{Dof, KeptShape, NodeIndex};
+use slideline_model::{Dof, KeptShape, NodeIndex, NumberedSet};
 
 use super::equations::{add, solve};
 use crate::constraints::{Shape, ShapeMpc};
@@ -60,7 +60,7 @@ pub(super) fn shapes(draft: &mut Draft) {
     }
 }
 
-fn one(mpc: &ShapeMpc, prescribed: &HashSet<(NodeIndex, Dof)>, draft: &mut Draft) {
+fn one(mpc: &ShapeMpc, prescribed: &NumberedSet<(NodeIndex, Dof)>, draft: &mut Draft) {
     let mut nodes: Vec<NodeIndex> = Vec::new();
     let mut seen = HashSet::new();
     for (target, span) in &mpc.nodes {
@@ -101,7 +101,7 @@ fn one(mpc: &ShapeMpc, prescribed: &HashSet<(NodeIndex, Dof)>, draft: &mut Draft
 fn eliminate(
     mpc: &ShapeMpc,
     Group { rows, kept }: Group,
-    (prescribed, large): (&HashSet<(NodeIndex, Dof)>, bool),
+    (prescribed, large): (&NumberedSet<(NodeIndex, Dof)>, bool),
     draft: &mut Draft,
 ) {
     let Some(&(first, ..)) = rows.first().and_then(|row| row.first()) else { return };

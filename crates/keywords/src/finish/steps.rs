@@ -1,12 +1,10 @@
 //! Steps: what the lines of `*BOUNDARY` and `*CLOAD` mean for each node, and
 //! what a step takes over from the one before.
 
-use std::collections::{HashMap, HashSet};
-
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
-    Controls, Dof, Load, NodalTemperature, NodeIndex, OutputRequests, Passage, Prescribed, Static,
-    Step,
+    Controls, Dof, Load, NodalTemperature, NodeIndex, Numbered, NumberedSet, OutputRequests,
+    Passage, Prescribed, Static, Step,
 };
 
 use super::amplitudes::amplitude;
@@ -298,10 +296,10 @@ impl Draft {
 }
 
 /// Every dof that some step, or the deck before the first one, prescribes.
-pub(super) fn prescribed(draft: &mut Draft) -> HashSet<(NodeIndex, Dof)> {
+pub(super) fn prescribed(draft: &mut Draft) -> NumberedSet<(NodeIndex, Dof)> {
     let steps = draft.steps.iter().flat_map(|step| &step.boundary);
     let lines: Vec<Boundary> = draft.initial.iter().chain(steps).cloned().collect();
-    let mut all = HashSet::new();
+    let mut all = NumberedSet::default();
     for line in lines {
         for node in draft.nodes_of(&line.target, line.target_span) {
             all.extend(line.dofs.iter().map(|&dof| (node, dof)));
@@ -313,7 +311,7 @@ pub(super) fn prescribed(draft: &mut Draft) -> HashSet<(NodeIndex, Dof)> {
 /// The loads of a step: several lines on one dof add up.
 fn loads(lines: &[Boundary], draft: &mut Draft) -> Vec<((NodeIndex, Dof), Load)> {
     let mut loads: Vec<((NodeIndex, Dof), Load)> = Vec::new();
-    let mut place: HashMap<(NodeIndex, Dof, Option<usize>), usize> = HashMap::new();
+    let mut place: Numbered<(NodeIndex, Dof, Option<usize>), usize> = Numbered::default();
     for line in lines {
         let amplitude = line.amplitude.as_ref().and_then(|name| amplitude(name, draft));
         for node in draft.nodes_of(&line.target, line.target_span) {

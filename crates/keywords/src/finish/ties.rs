@@ -14,7 +14,7 @@ use std::collections::{HashMap, HashSet, VecDeque};
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::element::solid::smallest_jacobian;
 use slideline_mech::pressure::{Face, Nearest};
-use slideline_model::{Dialect, Dof, Kinematics, NodeIndex};
+use slideline_model::{Dialect, Dof, Kinematics, NodeIndex, NumberedSet};
 
 use super::equations::add;
 use super::faces::{faces, nodes_of_surface};
@@ -98,7 +98,7 @@ fn masters(tie: &Tie, draft: &mut Draft) -> Vec<Master> {
 /// A tie, with others of the same slave.
 fn one(
     (tie, same): (&Tie, &VecDeque<&Tie>),
-    prescribed: &HashSet<(NodeIndex, Dof)>,
+    prescribed: &NumberedSet<(NodeIndex, Dof)>,
     tied: &mut HashMap<NodeIndex, Option<Span>>,
     draft: &mut Draft,
 ) {
@@ -198,7 +198,7 @@ fn slave_faces(tie: &Tie, slave: &NamedSurface, draft: &mut Draft) -> Vec<Vec<No
 fn of_faces(
     slaves: &[Vec<NodeIndex>],
     masters: (&[Master], Option<f64>),
-    (near, prescribed): (&[TiedNode], &HashSet<(NodeIndex, Dof)>),
+    (near, prescribed): (&[TiedNode], &NumberedSet<(NodeIndex, Dof)>),
     draft: &Draft,
 ) -> Means {
     let held: HashSet<NodeIndex> = prescribed.iter().map(|(node, _)| *node).collect();
@@ -288,7 +288,7 @@ fn follow(
     tie: &Tie,
     own: &TiedNode,
     (masters, means): (&[Master], &Means),
-    prescribed: &HashSet<(NodeIndex, Dof)>,
+    prescribed: &NumberedSet<(NodeIndex, Dof)>,
     draft: &mut Draft,
 ) {
     let node = own.node;

@@ -4,7 +4,7 @@
 
 use slideline_deck::{FromDisk, NoFiles, Parsed, apply, parse, parse_number};
 use slideline_diag::{Diagnostic, Edit, FileId, Severity, Sources, Span};
-use slideline_keywords::{Interpreted, Setting, interpret, interpret_with};
+use slideline_keywords::{Interpreted, Prepared, Setting, interpret, interpret_with};
 use slideline_model::{Dialect, Model};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -43,6 +43,26 @@ fn a_setting_stands_in_place_of_the_first_value() {
     assert_eq!(corner(&set(DECK, &[("half", "1"), ("length", "2")])), [2.0, 1.0, 0.0]);
     let later = DECK.replace("*NODE\n", "length = 0.5\n*NODE\n");
     assert_eq!(corner(&set(&later, &[("length", "0.03")])), [0.5, 0.015, 0.0]);
+}
+
+/// Requirement: a deck that is prepared for many values says of each what it says of it alone, with
+/// misprints and without.
+#[test]
+fn a_prepared_deck_means_the_same() {
+    let furniture = DECK.replace("*ELEMENT", "Continued on next page of the listing\n*ELEMENT");
+    for text in [DECK, &furniture] {
+        let parsed = parse(&mut Sources::default(), "a.inp", text.as_bytes(), &NoFiles);
+        let prepared = Prepared::new(parsed, Dialect::Abaqus);
+        for value in ["0.03", "0.04", "nothing"] {
+            let setting = Setting { name: "length".into(), value: value.into(), span: None };
+            let (own, alone) =
+                (prepared.interpret_with(&[setting]), set(text, &[("length", value)]));
+            assert_eq!(own.model, alone.model);
+            assert_eq!(own.diagnostics, alone.diagnostics);
+            assert_eq!(own.numbers, alone.numbers);
+        }
+    }
+    assert!(set(&furniture, &[]).diagnostics.iter().any(|said| said.code.0 == "SL0212"));
 }
 
 /// Requirement: a number has the bits that it had outside. Source: issue 14, same bits.

@@ -29,6 +29,40 @@ impl Section {
             Self::Spring(_) | Self::Properties(_) => None,
         }
     }
+
+    /// By which factor all stresses of another section are those of this one at the same strains,
+    /// where that is all that differs: by that of the modulus.
+    pub fn stresses_of(&self, other: &Self) -> Option<f64> {
+        let (own, other) = match (self, other) {
+            (Self::Beam(own), Self::Beam(other)) => own.but_for_elasticity(other)?,
+            (Self::Solid(own), Self::Solid(other)) => own.but_for_elasticity(other)?,
+            _ => return None,
+        };
+        (own.poisson == other.poisson && own.modulus > 0.0).then(|| other.modulus / own.modulus)
+    }
+}
+
+impl BeamSection {
+    /// Both elasticities, where nothing else differs and all stiffness comes of them.
+    fn but_for_elasticity(&self, other: &Self) -> Option<(Elastic, Elastic)> {
+        let ShearRule { stiffness, across, .. } = self.shear;
+        let of_elasticity = stiffness.is_none() && across.is_none() && self.heat.is_none();
+        let alike = of_elasticity && Self { material: self.material, ..other.clone() } == *self;
+        alike.then_some((self.material, other.material))
+    }
+}
+
+impl SolidSection {
+    /// The same.
+    fn but_for_elasticity(&self, other: &Self) -> Option<(Elastic, Elastic)> {
+        let alike = self.thickness == other.thickness && self.orientation == other.orientation;
+        match (&self.material, &other.material) {
+            (Material::Elastic(own, way), Material::Elastic(others, of_other)) => {
+                (alike && way == of_other).then_some((*own, *others))
+            }
+            _ => None,
+        }
+    }
 }
 
 /// A section of an elastic material.
@@ -133,4 +167,43 @@ pub struct SolidSection {
     pub material: Material,
     /// Axes of the material; `None`: those of the model.
     pub orientation: Option<Orientations>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use slideline_mech::material::LargeStrain;
+
+    fn beam(modulus: f64, poisson: f64) -> BeamSection {
+        BeamSection {
+            shape: Shape::Rectangle { width: 25.0, height: 1.5 },
+            poisson: 0.3,
+            material: Elastic { modulus, poisson },
+            heat: None,
+            shear: ShearRule::default(),
+            first_axis: BeamSection::FIRST_AXIS,
+        }
+    }
+
+    /// Requirement: stresses of another modulus are the same by a factor, and nothing else is.
+    #[test]
+    fn stresses_follow_the_modulus_alone() {
+        let own = Section::Beam(beam(6900.0, 0.3));
+        let to = |other: BeamSection| own.stresses_of(&Section::Beam(other));
+        assert_eq!(to(beam(13800.0, 0.3)), Some(2.0));
+        assert_eq!(to(beam(13800.0, 0.31)), None);
+        let thick = Shape::Rectangle { width: 25.0, height: 1.6 };
+        assert_eq!(to(BeamSection { shape: thick, ..beam(13800.0, 0.3) }), None);
+        let shear = ShearRule { stiffness: Some(1e4), ..ShearRule::default() };
+        let given = |modulus| Section::Beam(BeamSection { shear, ..beam(modulus, 0.3) });
+        assert_eq!(given(6900.0).stresses_of(&given(13800.0)), None);
+        let solid = |modulus, thickness| {
+            let elastic = Elastic { modulus, poisson: 0.3 };
+            let material = Material::Elastic(elastic, LargeStrain::Logarithmic);
+            Section::Solid(SolidSection { thickness, material, orientation: None })
+        };
+        assert_eq!(solid(2.0, 1.0).stresses_of(&solid(3.0, 1.0)), Some(1.5));
+        assert_eq!(solid(2.0, 1.0).stresses_of(&solid(3.0, 1.1)), None);
+        assert_eq!(own.stresses_of(&solid(3.0, 1.0)), None);
+    }
 }

@@ -43,6 +43,8 @@ pub struct ConstraintNumbering {
     pub(super) shape_nodes: Vec<NodeIndex>,
     /// Dependent dof of every row.
     pub(super) dependent_dofs: Vec<usize>,
+    /// Those that their row leads, with it, in the order of the rows.
+    pub(super) led: Vec<(usize, usize)>,
     /// Where the row of each dependent dof begins; behind the last, the end.
     pub(super) row_start: Vec<usize>,
     /// The dofs of the rows.
@@ -67,6 +69,7 @@ impl ConstraintNumbering {
             joined: Vec::new(),
             shape_nodes: model.shapes.iter().flat_map(|own| own.nodes.iter().copied()).collect(),
             dependent_dofs: Vec::new(),
+            led: Vec::new(),
             row_start: vec![0],
             row_dofs: Vec::new(),
             carrier,
@@ -91,6 +94,7 @@ impl ConstraintNumbering {
             }
         }
         new.number_unknowns();
+        new.led = new.dependents().collect();
         if model.dialect == Dialect::Calculix {
             new.joined = joined(&new.linear, &new.rigid);
         }
@@ -124,6 +128,11 @@ impl ConstraintNumbering {
         for constraint in linear {
             add(constraint.dependent, &mut constraint.terms.iter().map(|&(dof, _)| dof));
         }
+    }
+
+    fn dependents(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        let all = self.dependent_dofs.iter().enumerate().map(|(row, &dof)| (dof, row));
+        all.filter(|&(dof, row)| self.roles[dof] == Role::Dependent(row))
     }
 
     fn number_unknowns(&mut self) {
@@ -200,5 +209,11 @@ impl ConstraintNumbering {
     /// Whether T turns with the unknowns.
     pub fn turns(&self) -> bool {
         !self.rigid.is_empty() || self.linear.iter().any(|own| own.shape.is_some())
+    }
+
+    /// Whether T may turn where the dofs move so.
+    pub fn turns_along(&self, moved: &[f64]) -> bool {
+        self.linear.iter().any(|own| own.shape.is_some())
+            || self.rigid.iter().any(|link| link.turns_along(moved))
     }
 }

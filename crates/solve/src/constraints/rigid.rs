@@ -141,6 +141,16 @@ impl RigidLink {
         (0..6).filter_map(move |component| Some((component, own[component]?)))
     }
 
+    /// Whether its arm turns where the dofs move so.
+    pub fn turns_along(&self, moved: &[f64]) -> bool {
+        let moves = |dof: &usize| moved[*dof] != 0.0;
+        !self.small
+            && match &self.body {
+                Body::Plane { pose: [.., turn] } => moves(turn),
+                Body::Space { turn, .. } => turn.dofs.iter().any(moves),
+            }
+    }
+
     /// The angle by which the arm of a body in the plane has turned [1]; none without NLGEOM,
     /// where displacements are those of small rotations, docs/theory.md eq. (4.2).
     fn angle(&self, pose: [usize; 3], u: &[f64]) -> f64 {

@@ -53,28 +53,19 @@ impl ConstraintNumbering {
 
     /// Fills in the changes of dependent dofs, du = T dq.
     pub fn expand(&self, rows: &Rows, change: &mut [f64]) {
-        for (dof, row) in self.dependents() {
+        for &(dof, row) in &self.led {
             change[dof] = self.row(row, rows).map(|(from, a)| a * change[from]).sum();
         }
     }
 
     /// Hands forces on dependent dofs to those that they follow, T' f.
     pub fn carry(&self, rows: &Rows, force: &mut [f64]) {
-        for (dof, row) in self.dependents().rev() {
+        for &(dof, row) in self.led.iter().rev() {
             let own = std::mem::take(&mut force[dof]);
             if own != 0.0 {
                 self.row(row, rows).for_each(|(to, a)| force[to] += a * own);
             }
         }
-    }
-
-    /// Dependent dofs in the order of their rows.
-    fn dependents(&self) -> impl DoubleEndedIterator<Item = (usize, usize)> + '_ {
-        self.dependent_dofs
-            .iter()
-            .enumerate()
-            .map(|(row, &dof)| (dof, row))
-            .filter(|&(dof, row)| self.roles[dof] == Role::Dependent(row))
     }
 
     /// Calls back with every equation that a dof follows and its coefficient.

@@ -11,9 +11,14 @@ use crate::target::Target;
 use slideline_mech::material::Clock;
 
 impl Scratch {
-    /// Sets what the time prescribes: motions, loads, pressures on faces, temperatures; then the dofs
-    /// that follow others.
+    /// Sets what the time prescribes, then the dofs that follow others.
     pub(super) fn follow_time(&mut self, plan: &Problem<'_>, committed: &State, target: &Target) {
+        self.set_time(plan, committed, target);
+        plan.constraints.enforce(&self.turns, &mut self.u);
+    }
+
+    /// Sets what the time prescribes: motions, loads, pressures on faces, temperatures.
+    pub(super) fn set_time(&mut self, plan: &Problem<'_>, committed: &State, target: &Target) {
         plan.prescribe(target.step_time, &mut self.u);
         plan.load(target.step_time, &mut self.load);
         self.faces.clear();
@@ -24,7 +29,6 @@ impl Scratch {
             passed: plan.step.procedure.passage.of(target.dt),
             total: committed.total_time + target.dt,
         };
-        plan.constraints.enforce(&self.turns, &mut self.u);
     }
 
     /// The first guess, evaluated.

@@ -60,7 +60,7 @@ impl Scratch {
     }
 
     /// Stands where the converged trial `of` stands, with all that the time prescribes in a
-    /// neighbour; nothing is evaluated.
+    /// neighbour; what follows other dofs stays where it is, and nothing is evaluated.
     pub fn stand_near(
         &mut self,
         plan: &Problem<'_>,
@@ -78,7 +78,7 @@ impl Scratch {
         self.dashpots.forget(plan.contact);
         self.dt = target.dt;
         self.load.resize(self.u.len(), 0.0);
-        self.follow_time(plan, committed, target);
+        self.set_time(plan, committed, target);
         self.held.hold(std::iter::empty());
     }
 
@@ -115,6 +115,45 @@ impl Scratch {
         !self.dashpots.is_empty()
     }
 
+    /// Changes evaluations with the scratch of the iterations, where that still stands at the trial
+    /// that became `now`, and stands there; false where its room was used since.
+    pub fn change_with(&mut self, plan: &Problem<'_>, of: &mut Self, now: &State) -> bool {
+        let evaluation = &of.evaluation;
+        let stood = |(one, other): (&PointState, &PointState)| {
+            (one.closed, one.pressure, one.traction, one.opening, one.along)
+                == (other.closed, other.pressure, other.traction, other.opening, other.along)
+        };
+        let points = evaluation.points.iter().zip(&now.points);
+        let is_whole = !evaluation.look.idle.contains(&true) && evaluation.failed.is_none();
+        if !is_whole
+            || of.is_stabilised()
+            || of.u != now.displacement
+            || !points.into_iter().all(stood)
+        {
+            return false;
+        }
+        self.u.clone_from(&of.u);
+        self.load.clone_from(&of.load);
+        self.faces.clone_from(&of.faces);
+        self.temperatures.clone_from(&of.temperatures);
+        self.turns.clone_from(&of.turns);
+        (self.clock, self.dt) = (of.clock, of.dt);
+        self.dashpots.forget(plan.contact);
+        self.held.hold(std::iter::empty());
+        self.standing.clone_from(&of.standing);
+        self.take_estimates(now);
+        std::mem::swap(&mut self.evaluation, &mut of.evaluation);
+        true
+    }
+
+    /// What contact holds is what it holds in a state.
+    fn take_estimates(&mut self, now: &State) {
+        self.pressures.clear();
+        self.pressures.extend(now.points.iter().map(|point| point.pressure));
+        self.tractions.clear();
+        self.tractions.extend(now.points.iter().map(|point| point.traction));
+    }
+
     /// Evaluates the state that an increment was committed with, once more: what was done since may
     /// have used the room of the iterations.
     pub fn evaluate_committed(
@@ -125,10 +164,7 @@ impl Scratch {
         now: &State,
     ) {
         self.u.clone_from(&now.displacement);
-        self.pressures.clear();
-        self.pressures.extend(now.points.iter().map(|point| point.pressure));
-        self.tractions.clear();
-        self.tractions.extend(now.points.iter().map(|point| point.traction));
+        self.take_estimates(now);
         self.evaluation.look.forget();
         self.standing.clear();
         let face = |point: &PointState| point.footing.map(|footing| footing.place.face);

@@ -41,9 +41,15 @@ impl Increment<'_> {
     ) -> ControlFlow<Stop> {
         room.fit(self.plan, self.target.step);
         let mut base = std::mem::take(&mut room.base);
-        base.evaluate_committed(self.plan, self.old, self.target, self.new);
+        let changed = base.change_with(self.plan, work, self.new);
+        if !changed {
+            base.evaluate_committed(self.plan, self.old, self.target, self.new);
+        }
         let mut kept = std::mem::take(&mut room.kept);
         let told = self.courses(varied, (&base, work, room), &mut kept, observer);
+        if changed {
+            std::mem::swap(&mut base.evaluation, &mut work.evaluation);
+        }
         (room.base, room.kept) = (base, kept);
         told
     }
@@ -120,7 +126,7 @@ impl Increment<'_> {
         if let Some((level, touched, known)) = own.beside(self.plan.start) {
             let around: [Surroundings<'_>; 2] = self.surroundings(level, known, room);
             let problems = around.each_ref().map(|own| own.problem(self.plan, self.target.step));
-            let pair = Pair { problems: &problems, touched, h: level.h };
+            let pair = Pair { problems: &problems, touched, known, h: level.h };
             told = self.by_tangent(&pair, (linear, kept), room, &mut rates).is_some();
             if told {
                 let near = AlongRates::of(

@@ -46,9 +46,10 @@ impl Analysis<'_> {
         let (Some(varied), Some(before)) = (self.varied.take(), self.before.take()) else {
             return;
         };
+        let mut room = Room::default();
         for course in 0..varied.courses.len() {
             if !varied.courses[course].is_lost
-                && self.begin_course((varied, course), number, &before).is_none()
+                && self.begin_course((varied, course), (number, &mut room), &before).is_none()
             {
                 varied.courses[course].is_lost = true;
             }
@@ -60,7 +61,7 @@ impl Analysis<'_> {
     fn begin_course(
         &self,
         (varied, course): (&mut Varied, usize),
-        number: usize,
+        (number, room): (usize, &mut Room),
         (state, start): &(State, Start<'static>),
     ) -> Option<()> {
         let place = varied.courses[course].first(1);
@@ -74,16 +75,15 @@ impl Analysis<'_> {
         };
         let (level, weights) = varied.courses[course].of_beginning(place);
         for ((model, values), offset) in level.near.iter().zip(level.offsets) {
-            let mut room = Room::default();
             move_state(state, (&of_state, offset * level.h), &mut room.committed);
             let mut start = move_start(start, (&of_start, offset * level.h));
             let mut nobody = Nobody;
             let plan = (self.plan, values);
             let options = (&Options::default(), self.means);
-            let mut own = Analysis::new(model, plan, options, (&mut room, &mut nobody));
+            let mut own = Analysis::new(model, plan, options, (&mut *room, &mut nobody));
             own.open_step(number, &mut start).ok()?;
             own.locate(number);
-            states.push(room.committed);
+            states.push(std::mem::take(&mut room.committed));
             starts.push(start);
         }
         let own = &mut varied.courses[course];

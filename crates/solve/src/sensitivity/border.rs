@@ -160,7 +160,7 @@ impl Border {
         (residual, defects): (&mut [f64], &mut [f64]),
     ) -> Result<(), SolveError> {
         residual.iter_mut().for_each(|value| *value = -*value);
-        solver.solve(residual)?;
+        solver.respond(residual)?;
         if self.rows.is_empty() {
             return Ok(());
         }
@@ -214,6 +214,9 @@ impl Row {
 /// Whether contact that is hard stands on another branch in a neighbour: closed it would pull, open
 /// it would lie beyond its master.
 pub fn leaves_hard_branch(plan: &Problem<'_>, committed: &State, now: &[PointState]) -> bool {
+    if plan.contact.laws.iter().all(|own| own.normal.pressure(0.0).is_some()) {
+        return false;
+    }
     let beyond = ROUNDING * plan.reach;
     plan.contact.points.iter().zip(now).enumerate().any(|(place, (point, now))| {
         let law = &plan.contact.laws_of(point.pair, &committed.points[place]).normal;

@@ -5,30 +5,66 @@ use crate::state::{PointState, State};
 use slideline_mech::contact::pair::Footing;
 use slideline_mech::element::Temperature;
 use slideline_mech::turn::Turn;
+use std::ops::Range;
+use std::slice::from_mut;
 
 /// A state moved by `h` times its derivative; of another length, not at all.
 pub fn move_state(from: &State, (by, h): (&[f64], f64), into: &mut State) {
     into.copy_from(from);
-    let mut by = by.iter();
-    each_of_state(into, &mut |value| *value += by.next().map_or(0.0, |rate| h * rate));
+    let mut by = by;
+    each_of_state(into, &mut |numbers| move_numbers(numbers, (&mut by, h)));
 }
 
 /// What a step begins from, moved likewise.
 pub fn move_start(from: &Start<'_>, (by, h): (&[f64], f64)) -> Start<'static> {
     let mut moved = from.owned();
-    let mut by = by.iter();
-    each_of_start(&mut moved, &mut |value| *value += by.next().map_or(0.0, |rate| h * rate));
+    let mut by = by;
+    each_of_start(&mut moved, &mut |numbers| move_numbers(numbers, (&mut by, h)));
     moved
+}
+
+/// Moves numbers by the first of the rates, which are then used.
+#[inline]
+fn move_numbers(numbers: &mut [f64], (rates, h): (&mut &[f64], f64)) {
+    let (own, rest) = rates.split_at(numbers.len().min(rates.len()));
+    numbers.iter_mut().zip(own).for_each(|(value, rate)| *value += h * rate);
+    *rates = rest;
 }
 
 /// Adds weighted states; what is infinite in all of them counts as still.
 pub fn combine_states<'a>(states: impl Iterator<Item = (f64, &'a mut State)>, into: &mut Vec<f64>) {
-    into.clear();
+    into.fill(0.0);
+    let mut end = 0;
     for (weight, state) in states {
         let mut place = 0;
-        each_of_state(state, &mut |value| add(into, &mut place, weight * *value));
+        each_of_state(state, &mut |numbers| add(into, &mut place, (weight, numbers)));
+        end = place.max(end);
     }
-    finish(into);
+    finish(into, 0..end);
+}
+
+/// The rates of a state between two neighbours, those of its lists of dofs being known.
+pub fn rates_between<'a>(
+    states: impl Iterator<Item = (f64, &'a mut State)>,
+    lists: [&[f64]; LISTS],
+    into: &mut Vec<f64>,
+) {
+    let begin = lists.iter().map(|list| list.len()).sum();
+    let mut end = begin;
+    into.resize(begin, 0.0);
+    into[begin..].fill(0.0);
+    let mut rest = &mut into[..begin];
+    for list in lists {
+        let (own, behind) = rest.split_at_mut(list.len());
+        own.copy_from_slice(list);
+        rest = behind;
+    }
+    for (weight, state) in states {
+        let mut place = begin;
+        each_beyond_dofs(state, &mut |numbers| add(into, &mut place, (weight, numbers)));
+        end = place;
+    }
+    finish(into, begin..end);
 }
 
 /// Adds weighted beginnings of a step.
@@ -36,24 +72,31 @@ pub fn combine_starts<'a>(
     starts: impl Iterator<Item = (f64, &'a mut Start<'static>)>,
     into: &mut Vec<f64>,
 ) {
-    into.clear();
+    into.fill(0.0);
+    let mut end = 0;
     for (weight, start) in starts {
         let mut place = 0;
-        each_of_start(start, &mut |value| add(into, &mut place, weight * *value));
+        each_of_start(start, &mut |numbers| add(into, &mut place, (weight, numbers)));
+        end = place.max(end);
     }
-    finish(into);
+    finish(into, 0..end);
 }
 
-fn add(into: &mut Vec<f64>, place: &mut usize, value: f64) {
-    match into.get_mut(*place) {
-        Some(sum) => *sum += value,
-        None => into.push(value),
+/// Adds weighted numbers from a place on, which moves behind them.
+#[inline]
+fn add(into: &mut Vec<f64>, place: &mut usize, (weight, numbers): (f64, &[f64])) {
+    let end = *place + numbers.len();
+    if into.len() < end {
+        into.resize(end, 0.0);
     }
-    *place += 1;
+    let sums = into[*place..end].iter_mut().zip(numbers);
+    sums.for_each(|(sum, value)| *sum += weight * value);
+    *place = end;
 }
 
-fn finish(list: &mut [f64]) {
-    list.iter_mut().filter(|value| !value.is_finite()).for_each(|value| *value = 0.0);
+fn finish(list: &mut Vec<f64>, own: Range<usize>) {
+    list.truncate(own.end);
+    list[own].iter_mut().for_each(|value| *value = if value.is_finite() { *value } else { 0.0 });
 }
 
 /// Whether two states of a contact point stand on the same branch of its laws, and on the same
@@ -140,19 +183,21 @@ pub fn bend(states: &[State; 4], base: &State, steps: (f64, f64), least_force: f
     of.into_iter().fold(0.0, f64::max)
 }
 
-fn each_of_state(state: &mut State, call: &mut dyn FnMut(&mut f64)) {
-    // displacements first: `Course::rates` counts on it
-    let lists = [
-        &mut state.displacement,
-        &mut state.increment,
-        &mut state.increment_before,
-        &mut state.reaction,
-        &mut state.load,
-        &mut state.state_variables,
-        &mut state.elements,
-        &mut state.damping,
-    ];
-    lists.into_iter().flatten().for_each(&mut *call);
+/// How many numbers of a state are lists of all dofs.
+const LISTS: usize = 5;
+
+/// Calls with the numbers of a state, list by list, displacements first.
+fn each_of_state(state: &mut State, call: &mut impl FnMut(&mut [f64])) {
+    let State { displacement, increment, increment_before, reaction, load, .. } = state;
+    let of_dofs: [_; LISTS] = [displacement, increment, increment_before, reaction, load];
+    of_dofs.into_iter().for_each(|list| call(list));
+    each_beyond_dofs(state, call);
+}
+
+/// The same without the lists of dofs.
+fn each_beyond_dofs(state: &mut State, call: &mut impl FnMut(&mut [f64])) {
+    let State { state_variables, elements, damping, .. } = state;
+    [state_variables, elements, damping].into_iter().for_each(|list| call(list));
     state.points.iter_mut().for_each(|point| each_of_point(point, call));
     each_temperature(&mut state.temperatures, call);
     state.turns.iter_mut().for_each(|turn| each_of_turn(turn, call));
@@ -171,42 +216,71 @@ fn each_of_state(state: &mut State, call: &mut dyn FnMut(&mut f64)) {
         &mut energy.removed_energy,
         &mut energy.balance,
     ];
-    energies.into_iter().for_each(&mut *call);
-    state.balance_origin.iter_mut().for_each(call);
+    energies.into_iter().chain(&mut state.balance_origin).for_each(|own| call(from_mut(own)));
 }
 
-fn each_of_point(point: &mut PointState, call: &mut dyn FnMut(&mut f64)) {
-    let PointState { pressure, traction, opening, allowed, along, elastic_slip, slip, .. } = point;
-    [pressure, opening, allowed].into_iter().for_each(&mut *call);
-    for direction in [traction, elastic_slip, slip].into_iter().chain(along) {
-        direction.0.iter_mut().for_each(&mut *call);
-    }
-    let PointState { dissipated, dropped_work, position, normal, area, xi, footing, .. } = point;
-    [dissipated, dropped_work, area, xi].into_iter().for_each(&mut *call);
-    position.iter_mut().chain(normal).for_each(&mut *call);
+#[inline]
+fn each_of_point(point: &mut PointState, call: &mut impl FnMut(&mut [f64])) {
+    let PointState { traction: t, elastic_slip: e, slip: s, position: x, normal: n, .. } = *point;
+    let PointState { pressure, opening, allowed, dissipated, dropped_work, area, xi, .. } = *point;
+    // all at once: most states are lists of points
+    let mut numbers = [
+        pressure,
+        opening,
+        allowed,
+        dissipated,
+        dropped_work,
+        area,
+        xi,
+        t.0[0],
+        t.0[1],
+        e.0[0],
+        e.0[1],
+        s.0[0],
+        s.0[1],
+        x[0],
+        x[1],
+        x[2],
+        n[0],
+        n[1],
+        n[2],
+    ];
+    call(&mut numbers);
+    let [of_laws @ .., x0, x1, x2, n0, n1, n2] = numbers;
+    let [pressure, opening, allowed, lost, dropped_work, area, xi, t0, t1, e0, e1, s0, s1] = of_laws;
+    (point.pressure, point.opening, point.allowed) = (pressure, opening, allowed);
+    (point.dissipated, point.dropped_work) = (lost, dropped_work);
+    (point.area, point.xi) = (area, xi);
+    (point.traction.0, point.elastic_slip.0, point.slip.0) = ([t0, t1], [e0, e1], [s0, s1]);
+    (point.position, point.normal) = ([x0, x1, x2], [n0, n1, n2]);
+    let PointState { along, footing, .. } = point;
+    along.iter_mut().for_each(|own| call(&mut own.0));
     let Some(Footing { place, normal, direction, bearing }) = footing else { return };
-    let parts = place.at.iter_mut().chain(normal).chain(direction).chain(bearing);
-    parts.for_each(call);
+    call(&mut place.at);
+    call(normal);
+    call(direction);
+    call(bearing);
 }
 
-fn each_temperature(list: &mut [Temperature], call: &mut dyn FnMut(&mut f64)) {
+fn each_temperature(list: &mut [Temperature], call: &mut impl FnMut(&mut [f64])) {
     for own in list {
-        call(&mut own.value);
-        call(&mut own.slope);
+        call(from_mut(&mut own.value));
+        call(from_mut(&mut own.slope));
     }
 }
 
-fn each_of_turn(turn: &mut Turn, call: &mut dyn FnMut(&mut f64)) {
-    turn.start.iter_mut().chain(&mut turn.before).for_each(call);
+fn each_of_turn(turn: &mut Turn, call: &mut impl FnMut(&mut [f64])) {
+    call(&mut turn.start);
+    call(&mut turn.before);
 }
 
-fn each_of_start(start: &mut Start<'static>, call: &mut dyn FnMut(&mut f64)) {
-    start.displacement.to_mut().iter_mut().for_each(&mut *call);
-    start.released.to_mut().iter_mut().for_each(&mut *call);
+fn each_of_start(start: &mut Start<'static>, call: &mut impl FnMut(&mut [f64])) {
+    call(start.displacement.to_mut());
+    call(start.released.to_mut());
     each_temperature(start.temperatures.to_mut(), call);
     for own in start.references.to_mut() {
-        own.displacement.iter_mut().for_each(&mut *call);
-        own.turned.iter_mut().flatten().for_each(&mut *call);
+        call(&mut own.displacement);
+        own.turned.iter_mut().for_each(|turned| call(turned));
         each_temperature(&mut own.temperatures, call);
     }
 }

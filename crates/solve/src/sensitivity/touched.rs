@@ -1,42 +1,41 @@
 //! What a parameter touches of a model.
 
+use super::stencil::Sides;
 use slideline_mech::element::spring::SpringLaw;
 use slideline_mech::material::Material;
-use slideline_model::{ContactPair, ElementBlock, Model, Section, Step};
+use slideline_model::{ChangedSection, ContactPair, ElementBlock, Model, Section, Step};
+
+/// How a section differs between a model and its pair of neighbours.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Touch {
+    /// Not at all.
+    Not,
+    /// Its stresses are the larger by these factors in the neighbours.
+    Stresses(Sides),
+    /// By something else, or in some step only.
+    Other,
+}
 
 /// What differs between a model and its neighbours, of what the tangent of a converged increment
 /// does not tell.
 #[derive(Clone, Debug)]
 pub struct Touched {
-    /// Whether the section of each block of the model differs in some step.
-    pub blocks: Vec<bool>,
+    /// How the section of each block of the model differs.
+    pub blocks: Vec<Touch>,
     /// Whether steps begin with nothing but what those before left: no element or pair comes or leaves,
     /// and there are no stresses before the first one.
     pub begins_simply: bool,
 }
 
 impl Touched {
-    /// That of the neighbours `near` a model; `None` where places differ, and where elements of the
+    /// That of the pair of neighbours `near` a model; `None` where places differ, and where elements of the
     /// model are not of the house, or have kinks.
-    pub fn of<'a>(model: &Model, near: impl Iterator<Item = &'a Model>) -> Option<Self> {
-        if !model.blocks.iter().all(is_smooth) {
+    pub fn of(model: &Model, near: [&Model; 2]) -> Option<Self> {
+        let alike = near.iter().all(|other| is_placed_alike(model, other));
+        if !alike || !model.blocks.iter().all(is_smooth) {
             return None;
         }
-        let mut blocks = vec![false; model.blocks.len()];
-        for other in near {
-            if !is_placed_alike(model, other) {
-                return None;
-            }
-            let pairs = model.blocks.iter().zip(&other.blocks);
-            for (touched, (own, other)) in blocks.iter_mut().zip(pairs) {
-                *touched |= own.section != other.section;
-            }
-            for (own, other) in model.steps.iter().zip(&other.steps) {
-                let changed = own.sections.iter().chain(&other.sections);
-                let differ = own.sections != other.sections;
-                changed.filter(|_| differ).for_each(|own| blocks[own.block] = true);
-            }
-        }
+        let blocks = (0..model.blocks.len()).map(|block| touch(model, near, block)).collect();
         let simple = |step: &Step| {
             let own = &step.presence;
             own.absent.is_empty() && own.begun.is_empty() && own.absent_pairs.is_empty()
@@ -44,6 +43,27 @@ impl Touched {
         let changes = |step: &Step| !simple(step) || !step.sections.is_empty();
         let begins_simply = model.initial_stresses.is_empty() && !model.steps.iter().any(changes);
         Some(Self { blocks, begins_simply })
+    }
+}
+
+/// How the section of a block differs in the neighbours.
+fn touch(model: &Model, near: [&Model; 2], block: usize) -> Touch {
+    let changes = |own: &&ChangedSection| own.block == block;
+    let in_steps = |model: &'_ Model| {
+        let of_steps = model.steps.iter().flat_map(|step| step.sections.iter().filter(changes));
+        of_steps.cloned().collect::<Vec<_>>()
+    };
+    let (section, in_steps_of_model) = (&model.blocks[block].section, in_steps(model));
+    let others = near.map(|other| &other.blocks[block].section);
+    let same_steps = near.iter().all(|other| in_steps(other) == in_steps_of_model);
+    if same_steps && others.iter().all(|other| *other == section) {
+        return Touch::Not;
+    }
+    match others.map(|other| section.stresses_of(other)) {
+        [Some(below), Some(above)] if same_steps && in_steps_of_model.is_empty() => {
+            Touch::Stresses([below, above])
+        }
+        _ => Touch::Other,
     }
 }
 

@@ -64,7 +64,10 @@ impl Varied {
             let parameter = parameter.clone();
             let pair = (&parameter, BESIDE * parameter.scale, &PAIR[..]);
             let pair = Level::new(pair, (plan, model, users))?;
-            let touched = Touched::of(model, pair.near.iter().map(|(model, _)| model));
+            let touched = match &pair.near[..] {
+                [(below, _), (above, _)] => Touched::of(model, [below, above]),
+                _ => None,
+            };
             varied.courses.push(Course {
                 parameter,
                 pair,

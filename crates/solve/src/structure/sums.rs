@@ -59,6 +59,9 @@ impl Structure<'_> {
 
     /// Energy that the elements have taken for good [F L].
     pub fn dissipated(&self, u: &[f64], (state, ambient): (&[f64], Ambient<'_>)) -> f64 {
+        if state.is_empty() {
+            return 0.0; // what remembers nothing has taken nothing
+        }
         let mut nodes = AtNodes::default();
         let mut variables = [0.0; MOST_VARIABLES];
         let blocks = self.numbering.blocks.iter().zip(self.kernels.iter());

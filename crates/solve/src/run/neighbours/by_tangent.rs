@@ -20,7 +20,7 @@ use crate::moments::turn_moments;
 use crate::newton::Scratch;
 use crate::problem::Problem;
 use crate::sensitivity::{
-    Bend, PAIR, Sides, Touched, combine_states, is_same_branch, leaves_hard_branch,
+    Bend, PAIR, Sides, Touch, Touched, is_same_branch, leaves_hard_branch, rates_between,
 };
 use crate::state::PointState;
 use crate::structure::{Ambient, Configuration};
@@ -35,6 +35,8 @@ const SMOOTH: f64 = 1e-3;
 pub struct Pair<'a> {
     pub problems: &'a [Problem<'a>; 2],
     pub touched: &'a Touched,
+    /// Rates of the state before.
+    pub known: &'a [f64],
     pub h: f64,
 }
 
@@ -77,11 +79,11 @@ impl Increment<'_> {
         let base = linear.base;
         self.move_prescribed(pair, base, room);
         let stored = self.touch_elements(pair, base, room)?;
-        self.move_points(pair, base, room);
+        self.move_points(pair, base, (room, |place| base.evaluation.points[place].closed));
         self.hold_laws(pair, (base, kept), room);
         self.collect_forces(pair, (base, kept), room);
         self.solve(pair, linear, room)?;
-        self.move_points(pair, base, room);
+        self.move_points(pair, base, (room, |_| true));
         self.follow_laws(pair, base, room)?;
         for (k, step) in pair.steps().into_iter().enumerate() {
             move_by(&base.u, (step, &room.tangent.moved), &mut room.sides[k].u);
@@ -90,12 +92,29 @@ impl Increment<'_> {
         let worked = dot(&kept.force, &room.tangent.moved);
         self.commit_both(pair, (base, stored + worked), room);
         self.is_smooth_there(pair, room).then_some(())?;
-        let both = pair.weights().into_iter().zip(&mut room.after);
-        combine_states(both, into);
-        // these are known without a difference
-        let rates = &room.tangent;
-        into.iter_mut().zip(&rates.moved).for_each(|(rate, known)| *rate = *known);
-        into.iter().all(|rate| rate.is_finite()).then_some(())
+        self.collect_rates(pair, room, into)?;
+        let Moves { moved, force, .. } = &room.tangent;
+        moved.iter().chain(force).all(|rate| rate.is_finite()).then_some(())
+    }
+
+    /// The rates of the state: those of the lists of dofs are known without a difference.
+    fn collect_rates(&self, pair: &Pair<'_>, room: &mut Room, into: &mut Vec<f64>) -> Option<()> {
+        let Room { after, tangent: Moves { moved, force, pair: [increment, load], .. }, .. } = room;
+        let (before, rest) = pair.known.split_at_checked(moved.len())?;
+        let increment_before = rest.get(..moved.len())?;
+        move_by(moved, (-1.0, before), increment);
+        for (force, role) in force.iter_mut().zip(&self.plan.constraints.roles) {
+            if !matches!(role, Role::Prescribed(_)) {
+                *force = 0.0;
+            }
+        }
+        let [below, above] = pair.weights();
+        let loads = after[0].load.iter().zip(&after[1].load);
+        load.clear();
+        load.extend(loads.map(|(one, other)| below * one + above * other));
+        let lists = [&moved[..], increment, increment_before, force, load];
+        rates_between(pair.weights().into_iter().zip(after), lists, into);
+        Some(())
     }
 
     /// Rates of the prescribed dofs and of those that follow them.
@@ -111,6 +130,9 @@ impl Increment<'_> {
         }
         constraints.expand(&base.evaluation.rows, moved);
         rates.still(self.new.points.len());
+        for (step, side) in pair.steps().into_iter().zip(sides) {
+            move_by(&base.u, (step, moved), &mut side.u);
+        }
     }
 
     /// Forces that the parameter makes of the elements, displacements held; the rate of their energy.
@@ -120,8 +142,16 @@ impl Increment<'_> {
         let heated = sides[0].temperatures != sides[1].temperatures;
         let mut stored = 0.0;
         for (number, block) in self.plan.structure.blocks() {
-            if !heated && !pair.touched.blocks[block] {
-                continue;
+            match pair.touched.blocks[block] {
+                Touch::Not if !heated => continue,
+                Touch::Stresses(factors) if !heated => {
+                    let both = pair.weights().into_iter().zip(factors);
+                    let rate = both.map(|(weight, factor)| weight * factor).sum();
+                    let forces = (rate, &base.evaluation.contributions);
+                    stored += self.plan.structure.add_block(number, forces, touched)?;
+                    continue;
+                }
+                _ => {}
             }
             for (k, weight) in pair.weights().into_iter().enumerate() {
                 let structure = &pair.problems[k].structure;
@@ -137,11 +167,16 @@ impl Increment<'_> {
         Some(stored)
     }
 
-    /// Moves the closed points, or all that face their masters once the unknowns move, along their rows.
-    fn move_points(&self, pair: &Pair<'_>, base: &Scratch, room: &mut Room) {
+    /// Moves points that are asked for, and that face their masters, along their rows.
+    fn move_points(
+        &self,
+        pair: &Pair<'_>,
+        base: &Scratch,
+        (room, moves): (&mut Room, impl Fn(usize) -> bool),
+    ) {
         let Room { sides, tangent: Moves { moved, .. }, .. } = room;
         for (place, from) in base.evaluation.kinematics.iter().enumerate() {
-            if !from.faces {
+            if !from.faces || !moves(place) {
                 continue;
             }
             let along = |row: &[f64]| -> f64 {
@@ -242,6 +277,9 @@ impl Increment<'_> {
         if !constraints.has_dependents() {
             return;
         }
+        if !constraints.turns_along(moved) {
+            return constraints.carry(&base.evaluation.rows, rates);
+        }
         let mut all = of_elements.to_vec();
         for (place, own) in base.evaluation.points.iter().enumerate().filter(|(_, own)| own.closed)
         {
@@ -334,7 +372,9 @@ impl Increment<'_> {
             let mut pressed = std::mem::take(&mut into.pressed);
             problem.faces.press(side.faces(), (&side.u, &side.turns), &mut pressed);
             side.evaluation.pressed = pressed;
-            after[k].copy_from(&before[k]);
+            if !after[k].has_room_of(&before[k]) {
+                after[k].copy_from(&before[k]);
+            }
             commit(problem, &before[k], self.target, side, &mut after[k]);
         }
     }
