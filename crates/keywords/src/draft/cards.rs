@@ -143,3 +143,10 @@ pub(crate) struct StepDraft {
     pub contact_changes: bool,
     pub origin: Span,
 }
+
+/// Between which numbers a parameter of the deck means anything; neither is one that does.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ParameterRange {
+    pub ends: [f64; 2],
+    pub origin: Span,
+}
