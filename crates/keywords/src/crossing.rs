@@ -31,23 +31,25 @@ struct Chord {
 
 impl Chord {
     /// Least and largest coordinate along an axis [L].
-    fn reach(&self, axis: usize) -> [f64; 2] {
+    fn reach(&self, axis: usize) -> (f64, f64) {
         let [a, b] = self.ends.map(|end| end[axis]);
-        [a.min(b), a.max(b)]
+        (a.min(b), a.max(b))
     }
 
     /// How far the ends of another chord are to the left, over its length [L].
-    fn left_of(&self, other: &Self) -> [f64; 2] {
+    fn left_of(&self, other: &Self) -> (f64, f64) {
         let [a, b] = self.ends;
         let along = [b[0] - a[0], b[1] - a[1]];
         let length = along[0].hypot(along[1]);
-        other.ends.map(|end| (along[0] * (end[1] - a[1]) - along[1] * (end[0] - a[0])) / length)
+        let left =
+            |end: ProfilePoint| (along[0] * (end[1] - a[1]) - along[1] * (end[0] - a[0])) / length;
+        (left(other.ends[0]), left(other.ends[1]))
     }
 
     /// Where both go through one another, and neither only touches.
     fn crosses(&self, other: &Self) -> Option<ProfilePoint> {
         let through = |own: &Self, by: &Self| {
-            let [a, b] = own.left_of(by);
+            let (a, b) = own.left_of(by);
             let size = (by.ends[1][0] - by.ends[0][0]).hypot(by.ends[1][1] - by.ends[0][1]);
             let sides = a * b < 0.0 && a.abs().min(b.abs()) > TOUCH * size;
             sides.then(|| a / (a - b))
@@ -68,12 +70,12 @@ pub(crate) fn crossing(parts: &[Vec<ProfilePoint>]) -> Option<Crossing> {
         .map(|(part, ends)| Chord { ends: [ends[0], ends[1]], part })
         .filter(|chord| chord.ends[0] != chord.ends[1])
         .collect();
-    chords.sort_by(|a, b| a.reach(0)[0].total_cmp(&b.reach(0)[0]));
+    chords.sort_by(|a, b| a.reach(0).0.total_cmp(&b.reach(0).0));
     let mut found: Option<Crossing> = None;
     for (number, chord) in chords.iter().enumerate() {
-        let [from, until] = chord.reach(1);
-        let beside = chords[number + 1..].iter().take_while(|by| by.reach(0)[0] < chord.reach(0)[1]);
-        for by in beside.filter(|by| by.reach(1)[0] < until && by.reach(1)[1] > from) {
+        let (from, until) = chord.reach(1);
+        let beside = chords[number + 1..].iter().take_while(|by| by.reach(0).0 < chord.reach(0).1);
+        for by in beside.filter(|by| by.reach(1).0 < until && by.reach(1).1 > from) {
             let Some(at) = chord.crosses(by) else { continue };
             let parts = [chord.part.min(by.part), chord.part.max(by.part)];
             if found.is_none_or(|known| parts < known.parts) {
@@ -98,7 +100,8 @@ mod tests {
         let put = |[x, y]: ProfilePoint| {
             [7.0 + scale * (cos * x - sin * y), -3.0 + scale * (sin * x + cos * y)]
         };
-        let parts: Vec<_> = points.windows(2).map(|ends| vec![put(ends[0]), put(ends[1])]).collect();
+        let parts: Vec<_> =
+            points.windows(2).map(|ends| vec![put(ends[0]), put(ends[1])]).collect();
         crossing(&parts)
     }
 

@@ -28,7 +28,8 @@ use crate::surfaces::{
     RigidBody, SurfaceThickness,
 };
 pub(crate) use cards::{
-    Boundary, Gap, Interface, NodalThickness, Normal, ParameterRange, PointMass, Shape, Spring, StepDraft, Surface,
+    Boundary, Gap, Interface, NodalThickness, Normal, ParameterRange, PointMass, Shape, Spring,
+    StepDraft, Surface,
 };
 pub(crate) use contents::Contents;
 pub(crate) use elements::{Element, ElementKind, MOST_NODES};

@@ -28,13 +28,11 @@ pub struct Books {
     /// Its length [T].
     pub worst_dt: f64,
     /// Energy that the model held before and after the last increment.
-    pub held: [f64; 2],
-    /// The least and the most that it held in this step.
-    pub range: [f64; 2],
-    /// What an increment of this step changed at once and did not see, the worst one.
+    pub held: (f64, f64),
+    /// The least and the most that it held.
+    pub range: (f64, f64),
+    /// What an increment changed at once and did not see, the worst one.
     pub sudden: Sudden,
-    /// That of all steps before, the worst one.
-    pub most_sudden: Sudden,
 }
 
 /// An increment that loads or unloads the parts and leaves as much over: what happened in
@@ -43,23 +41,10 @@ pub struct Books {
 pub struct Sudden {
     /// What it left over, no more than what it changed in the energy held [F L].
     pub missed: f64,
-    /// Range of the energy held in its step [F L].
-    pub range: f64,
     /// Step and number of the increment.
     pub at: [usize; 2],
     /// Its length [T].
     pub dt: f64,
-}
-
-impl Sudden {
-    /// Part of the range that was missed [1].
-    pub fn part(&self) -> f64 {
-        if self.range > 0.0 { self.missed / self.range } else { 0.0 }
-    }
-
-    fn or_worse(self, other: Self) -> Self {
-        if other.part() > self.part() { other } else { self }
-    }
 }
 
 impl Books {
@@ -68,9 +53,6 @@ impl Books {
         if target.increment == 1 {
             self.steps += self.step.abs();
             self.step = 0.0;
-            self.most_sudden = self.most_sudden.or_worse(self.sudden);
-            self.sudden = Sudden::default();
-            self.range = [self.held[0]; 2];
         }
         self.step += self.left;
         if self.left.abs() > self.worst.abs() {
@@ -78,19 +60,18 @@ impl Books {
             self.worst_at = [target.step, target.increment];
             self.worst_dt = target.dt;
         }
-        let [before, after] = self.held;
-        self.range = [self.range[0].min(after), self.range[1].max(after)];
+        let (before, after) = self.held;
+        self.range = (self.range.0.min(after), self.range.1.max(after));
         let missed = self.left.abs().min((after - before).abs());
         if missed > self.sudden.missed {
-            let at = [target.step, target.increment];
-            self.sudden = Sudden { missed, range: 0.0, at, dt: target.dt };
+            self.sudden = Sudden { missed, at: [target.step, target.increment], dt: target.dt };
         }
-        self.sudden.range = self.range[1] - self.range[0];
     }
 
-    /// The increment of the whole run that missed the largest part of what its step moves.
-    pub fn worst_missed(&self) -> Sudden {
-        self.most_sudden.or_worse(self.sudden)
+    /// Part of all that the parts stored which one increment missed [1].
+    pub fn missed(&self) -> f64 {
+        let range = self.range.1 - self.range.0;
+        if range > 0.0 { self.sudden.missed / range } else { 0.0 }
     }
 
     /// What all steps left unbalanced.

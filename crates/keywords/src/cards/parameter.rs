@@ -3,7 +3,7 @@
 use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic};
 
-use crate::draft::Draft;
+use crate::draft::{Draft, ParameterRange};
 use crate::expression::{Value, Values, evaluate, is_name};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
@@ -94,9 +94,8 @@ fn define(line: &DataLine, draft: &mut Draft) {
 
 /// Whether a value lies outside the range of its name; complains if so, and then the name has none.
 fn is_out_of_range((name, value): (&str, &Value), line: &DataLine, draft: &mut Draft) -> bool {
-    let Some(range) = draft.ranges.get(name) else { return false };
+    let Some(&ParameterRange { low, high, origin }) = draft.ranges.get(name) else { return false };
     let Ok(number) = value.real() else { return false };
-    let [low, high] = range.ends;
     if low < number && number < high {
         return false;
     }
@@ -107,7 +106,7 @@ fn is_out_of_range((name, value): (&str, &Value), line: &DataLine, draft: &mut D
     };
     let message = format!("the parameter {name} is {}: it must be {limits}", value.text());
     let error = Diagnostic::error(Code("SL0287"), message).at(line.span);
-    let error = error.label(range.origin, "its range");
+    let error = error.label(origin, "its range");
     draft.log.push(error.help(format!("give {name} a value {limits}")));
     // what follows from it is not complained about as well
     draft.log.first_time(&format!("parameter {name}"));

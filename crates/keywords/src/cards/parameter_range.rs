@@ -46,14 +46,16 @@ fn range(line: &DataLine, draft: &mut Draft) {
     let (Some(low), Some(high)) = (low, high) else { return };
     let name = line.field(0).map(|field| field.text.clone()).filter(|name| is_name(name));
     let Some(name) = name.filter(|_| low < high) else {
-        let message = "a range is `name, low, high`, its name that of a parameter and low below high";
+        let message =
+            "a range is `name, low, high`, its name that of a parameter and low below high";
         draft.log.error("SL0287", message, line.span);
         return;
     };
     if draft.parameters.contains_key(&name) {
-        let message = format!("the range of {name} must stand above the line that gives it a value");
+        let message =
+            format!("the range of {name} must stand above the line that gives it a value");
         draft.log.error("SL0287", message, line.span);
         return;
     }
-    draft.ranges.insert(name, ParameterRange { ends: [low, high], origin: line.span });
+    draft.ranges.insert(name, ParameterRange { low, high, origin: line.span });
 }

@@ -4,8 +4,8 @@ use slideline_deck::{DataLine, normalise};
 use slideline_diag::{Code, Diagnostic};
 use slideline_model::{ProfilePoint, SurfaceSegment};
 
-use crate::draft::Draft;
 use crate::crossing::crossing;
+use crate::draft::Draft;
 use crate::draft::{Shape, Surface};
 use crate::fillet::{Profile, drawn, fillet};
 use crate::keyword::{Keyword, Level, Rule, Subject};

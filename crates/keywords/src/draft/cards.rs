@@ -147,6 +147,7 @@ pub(crate) struct StepDraft {
 /// Between which numbers a parameter of the deck means anything; neither is one that does.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ParameterRange {
-    pub ends: [f64; 2],
+    pub low: f64,
+    pub high: f64,
     pub origin: Span,
 }

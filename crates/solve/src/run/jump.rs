@@ -29,7 +29,7 @@ use slideline_diag::{Code, Diagnostic, Place};
 const SHARP: f64 = 0.02;
 /// Part of the energy turned over that a run may leave unbalanced unsaid.
 const MUCH: f64 = 0.2;
-/// Part of the energy that the parts move in a step that one increment may miss unsaid.
+/// Part of the energy that the parts store which one increment may miss unsaid.
 const MISSED: f64 = 0.5;
 
 impl Analysis<'_> {
@@ -66,7 +66,7 @@ impl Analysis<'_> {
     }
 
     /// Says so where the increments of the run left much energy unbalanced, or one of them most of
-    /// what its step moves.
+    /// what the parts store.
     pub(super) fn judge_balance(
         &mut self,
         plan: &Problem<'_>,
@@ -78,11 +78,10 @@ impl Analysis<'_> {
         let books = self.committed.books;
         let rounding = rounding(plan, self.committed);
         let much = MUCH * books.turned_over + rounding;
-        let sudden = books.worst_missed();
         let said = if books.unbalanced() > much {
             unbalanced(plan, &books)
-        } else if sudden.part() > MISSED && sudden.missed > rounding {
-            stepped_over(plan, &sudden)
+        } else if books.missed() > MISSED && books.sudden.missed > rounding {
+            stepped_over(plan, &books)
         } else {
             return Ok(());
         };
@@ -105,16 +104,15 @@ fn unbalanced(plan: &Problem<'_>, books: &Books) -> Option<Diagnostic> {
 }
 
 /// An increment that holds what the step is about.
-fn stepped_over(plan: &Problem<'_>, sudden: &Sudden) -> Option<Diagnostic> {
-    let [step, increment] = sudden.at;
+fn stepped_over(plan: &Problem<'_>, books: &Books) -> Option<Diagnostic> {
+    let Sudden { missed, at: [step, increment], dt } = books.sudden;
     let message = format!(
-        "energy does not balance: increment {increment} of step {step} leaves {:.3e} of it open, \
-         {:.0} % of what the parts store in that step: it loads or unloads them at once, its two \
+        "energy does not balance: increment {increment} of step {step} leaves {missed:.3e} of it open, \
+         {:.0} % of what the parts store: it loads or unloads them at once, its two \
          ends do not show the force between them, and work and peak forces are not reliable",
-        sudden.missed,
-        100.0 * sudden.part(),
+        100.0 * books.missed(),
     );
-    with_shorter_increments(plan, message, (step, sudden.dt))
+    with_shorter_increments(plan, message, (step, dt))
 }
 
 /// The warning, with increments of a quarter of a length.
