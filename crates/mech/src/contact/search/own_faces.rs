@@ -244,11 +244,19 @@ impl OwnFaces {
         own.fold(f64::INFINITY, f64::min)
     }
 
+    /// The same of those that look at a face of this normal: what lies between them is that deep. A
+    /// plate is thin across, and wide between its hole and its rim.
+    fn thickness_towards(&self, (mesh, node): (&FaceMesh, usize), normal: Vector) -> f64 {
+        let looks = |&&own: &&usize| dot(mesh.normal(own, &self.reference), normal) < -LOOKS;
+        let own = self.at[node].iter().filter(looks).map(|&face| self.thickness[face]);
+        own.reduce(f64::min).unwrap_or_else(|| self.thickness_at(node))
+    }
+
     /// Whether a node and a face were back to back at the start, with their own part between them.
     fn is_inside(&self, mesh: &FaceMesh, node: usize, face: usize) -> bool {
         let reference = &self.reference[..];
-        let own = self.thickness_at(node);
         let normal = mesh.normal(face, reference);
+        let own = self.thickness_towards((mesh, node), normal);
         let from = reference[node];
         let square = nearest_of(mesh, reference, face, from).square;
         // to the middle: which side of the part it leads to is asked, not how far
