@@ -1,12 +1,14 @@
 //! Normals that look the wrong way.
 
 use crate::finding::{Finding, Place};
-use crate::start::{Start, spacing};
+use crate::start::{Start, less, spacing};
 use slideline_diag::{Code, Diagnostic};
 use slideline_model::{
-    ContactPair, Master, MasterFaces, OwnSurface, ProfilePoint, RigidSurface, SlideLine,
+    ContactPair, Master, MasterFaces, NodeIndex, OwnSurface, ProfilePoint, RigidSurface, SlideLine,
     SurfaceSegment, Vocabulary,
 };
+use slideline_solve::observe::ContactRow;
+use std::collections::HashMap;
 use std::fmt::Write as _;
 
 /// Depth of a slave in contact element lengths that counts as behind: one, but for rounding [1].
@@ -23,8 +25,39 @@ pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
             findings.push(say(start, pair, behind, facing));
         } else if opens(start, place, pair) {
             findings.push(say(start, pair, facing, facing));
+        } else if let Some(alike) = look_alike(start, place, pair) {
+            findings.push(say(start, pair, alike, facing));
         }
     }
+}
+
+/// How many points overlap a rigid profile whose outside looks the same way as their own faces; `None`
+/// where those are not the most of all that overlap: parts that touch look at one another.
+fn look_alike(start: &Start<'_>, place: usize, pair: &ContactPair) -> Option<usize> {
+    if !pair.of_solids || !matches!(pair.master, Master::RigidSurface(_)) {
+        return None;
+    }
+    let normals = outward(start, pair);
+    let overlapping = || start.facing(place).filter(|row| row.opening < 0.0);
+    let looks_alike = |row: &&ContactRow| {
+        normals.get(&row.node).is_some_and(|[x, y]| x * row.normal[0] + y * row.normal[1] > 0.0)
+    };
+    let alike = overlapping().filter(looks_alike).count();
+    (alike > 0 && 2 * alike > overlapping().count()).then_some(alike)
+}
+
+/// The sums of the outward normals of the faces at every slave node, as long as these [L].
+fn outward(start: &Start<'_>, pair: &ContactPair) -> HashMap<NodeIndex, ProfilePoint> {
+    let mut normals: HashMap<NodeIndex, ProfilePoint> = HashMap::new();
+    for [from, to] in pair.elements.iter().map(|element| element.nodes) {
+        let along = less(start.model.nodes.position(to), start.model.nodes.position(from));
+        for node in [from, to] {
+            // the material is on the left of the way
+            let normal = normals.entry(node).or_default();
+            *normal = [normal[0] + along[1], normal[1] - along[0]];
+        }
+    }
+    normals
 }
 
 /// Whether every slave lies behind the master at first, deeper than its law

@@ -28,7 +28,8 @@ use crate::surfaces::{
     RigidBody, SurfaceThickness,
 };
 pub(crate) use cards::{
-    Boundary, Gap, Interface, NodalThickness, Normal, PointMass, Shape, Spring, StepDraft, Surface,
+    Boundary, Gap, Interface, NodalThickness, Normal, ParameterRange, PointMass, Shape, Spring,
+    StepDraft, Surface,
 };
 pub(crate) use contents::Contents;
 pub(crate) use elements::{Element, ElementKind, MOST_NODES};
@@ -134,6 +135,8 @@ pub(crate) struct Draft {
     pub initial_hardening: Vec<HardeningLine>,
     /// Values of names.
     pub parameters: Values,
+    /// Between which numbers the values of names must lie.
+    pub ranges: HashMap<String, ParameterRange>,
     /// Names whose values are numbers that follow from no other.
     pub numbers: Vec<(String, f64)>,
     /// Values from outside the deck, for names that it defines.

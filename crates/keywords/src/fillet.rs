@@ -136,6 +136,19 @@ fn curves(start: Point, segments: &[SurfaceSegment]) -> Vec<Curve> {
     curves
 }
 
+/// The points of every segment, between which it is straight to less than a thousandth of its size.
+pub(crate) fn drawn((start, segments): &Profile) -> Vec<Vec<Point>> {
+    const PIECES: u32 = 48;
+    let points = |curve: &Curve| match curve {
+        Curve::Line(ends) => ends.to_vec(),
+        curved => {
+            let inner = (1..PIECES).map(|k| curved.at(f64::from(k) / f64::from(PIECES)).point);
+            [curved.start()].into_iter().chain(inner).chain([curved.end()]).collect()
+        }
+    };
+    curves(*start, segments).iter().map(points).collect()
+}
+
 /// Whether the last segment ends where the first one begins.
 fn is_closed(start: Point, segments: &[SurfaceSegment]) -> bool {
     let points = segments.iter().map(SurfaceSegment::end);

@@ -16,6 +16,7 @@ mod beam_shape;
 mod cards;
 mod changes;
 mod constraints;
+mod crossing;
 mod curves;
 mod distributed;
 mod draft;

@@ -15,11 +15,11 @@ use crate::cards::{
     gap, heading, hyperelastic, hyperfoam, initial_conditions, instance, interface, kinematic,
     kinematic_coupling, mass, material, model_change, mpc, ncopy, nfill, ngen, nmap,
     nodal_thickness, node, node_file, node_output, node_print, normal, nset, orientation, output,
-    parameter, part, physical_constants, planar_test_data, plastic, pre_tension_section, print,
-    restart, rigid_body, rigid_surface, section_print, shear_center, slide_line, solid_section,
-    spring, static_, step, surface, surface_behavior, surface_contact, surface_interaction,
-    surface_property_assignment, system, temperature, tie, transform, transverse_shear,
-    uniaxial_test_data, visco, viscoelastic, volumetric_test_data,
+    parameter, parameter_range, part, physical_constants, planar_test_data, plastic,
+    pre_tension_section, print, restart, rigid_body, rigid_surface, section_print, shear_center,
+    slide_line, solid_section, spring, static_, step, surface, surface_behavior, surface_contact,
+    surface_interaction, surface_property_assignment, system, temperature, tie, transform,
+    transverse_shear, uniaxial_test_data, visco, viscoelastic, volumetric_test_data,
 };
 use crate::keyword::Keyword;
 use crate::reading::{Match, resolve};
@@ -29,6 +29,7 @@ use crate::rule::{Level, Rule};
 pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[
     &heading::Heading,
     &parameter::Parameter,
+    &parameter_range::OfParameters,
     &restart::Restart,
     &part::Part,
     &end_part::EndPart,

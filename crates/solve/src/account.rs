@@ -72,6 +72,7 @@ pub fn account(plan: &Problem<'_>, committed: &State, work: &Scratch, trial: &mu
     trial.books = Books {
         turned_over: committed.books.turned_over + gained.abs().max(taken.abs()),
         left: gained + brought - stored - friction.work,
+        held: (before.of_the_model(), energy.of_the_model()),
         opening: friction.opening,
         opening_dissipation: friction.opening_dissipation,
         ..committed.books

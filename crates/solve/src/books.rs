@@ -27,6 +27,24 @@ pub struct Books {
     pub worst_at: [usize; 2],
     /// Its length [T].
     pub worst_dt: f64,
+    /// Energy that the model held before and after the last increment.
+    pub held: (f64, f64),
+    /// The least and the most that it held.
+    pub range: (f64, f64),
+    /// What an increment changed at once and did not see, the worst one.
+    pub sudden: Sudden,
+}
+
+/// An increment that loads or unloads the parts and leaves as much over: what happened in
+/// between is in none of its ends. docs/theory.md eq. (10.11)
+#[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize)]
+pub struct Sudden {
+    /// What it left over, no more than what it changed in the energy held [F L].
+    pub missed: f64,
+    /// Step and number of the increment.
+    pub at: [usize; 2],
+    /// Its length [T].
+    pub dt: f64,
 }
 
 impl Books {
@@ -42,6 +60,18 @@ impl Books {
             self.worst_at = [target.step, target.increment];
             self.worst_dt = target.dt;
         }
+        let (before, after) = self.held;
+        self.range = (self.range.0.min(after), self.range.1.max(after));
+        let missed = self.left.abs().min((after - before).abs());
+        if missed > self.sudden.missed {
+            self.sudden = Sudden { missed, at: [target.step, target.increment], dt: target.dt };
+        }
+    }
+
+    /// Part of all that the parts stored which one increment missed [1].
+    pub fn missed(&self) -> f64 {
+        let range = self.range.1 - self.range.0;
+        if range > 0.0 { self.sudden.missed / range } else { 0.0 }
     }
 
     /// What all steps left unbalanced.

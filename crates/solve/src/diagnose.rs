@@ -25,6 +25,7 @@ pub use insertable::not_insertable;
 pub use structure::step_too_large;
 
 use crate::increments::StopReason;
+use crate::newton::Jammed;
 use slideline_diag::{Code, Diagnostic};
 
 /// The diagnosis of a run that ends early: the first cause that is proved.
@@ -66,7 +67,7 @@ pub fn may_end_elsewhere(said: &Diagnostic) -> bool {
 }
 
 /// A jam at points that the first iteration of an attempt showed locked.
-pub fn jam_at_first(case: &Case<'_>, jammed: &[usize]) -> Option<Diagnostic> {
+pub fn jam_at_first(case: &Case<'_>, jammed: &[Jammed]) -> Option<Diagnostic> {
     case.jam_of(jammed)
 }
 

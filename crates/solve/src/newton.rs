@@ -33,6 +33,7 @@ pub use assembly::{TOUCH, augmentation_stiffness};
 pub use attempt::attempt;
 pub use near::Rates;
 pub use outcome::Outcome;
+pub use questions::Jammed;
 pub use recall::recall_points;
 pub use relax::relax;
 pub use scratch::Scratch;

@@ -11,6 +11,7 @@ pub(crate) mod options;
 mod recovery;
 mod sensitivities;
 mod shown;
+mod sliding_off;
 mod steps;
 mod telling;
 

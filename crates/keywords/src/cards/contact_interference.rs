@@ -45,8 +45,15 @@ impl Keyword for ContactInterference {
         let shrink = card.has("SHRINK");
         let amplitude = card.name("AMPLITUDE").map(|name| (name, card.span_of("AMPLITUDE")));
         for line in card.data() {
-            // a direction to shift along would stand behind the value
-            draft.log.at_most(line, if shrink { 2 } else { 3 });
+            let given = line.fields.iter().skip(2).find(|field| !field.text.is_empty());
+            if let (true, Some(value)) = (shrink, given) {
+                let message = "SHRINK takes no value: what overlaps in the undeformed model is what it \
+                               takes away";
+                draft.log.error("SL0209", message, value.span);
+            } else {
+                // a direction to shift along would stand behind the value
+                draft.log.at_most(line, 3);
+            }
             let slave = surface(line, 0, "the slave surface", &mut draft.log);
             let master = surface(line, 1, "the master surface", &mut draft.log);
             let value = match shrink {

@@ -89,6 +89,7 @@ pub(crate) mod nset;
 pub(crate) mod orientation;
 pub(crate) mod output;
 pub(crate) mod parameter;
+pub(crate) mod parameter_range;
 pub(crate) mod part;
 pub(crate) mod physical_constants;
 pub(crate) mod planar_test_data;

@@ -3,8 +3,8 @@
 use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic};
 
-use crate::draft::Draft;
-use crate::expression::{Values, evaluate, is_name};
+use crate::draft::{Draft, ParameterRange};
+use crate::expression::{Value, Values, evaluate, is_name};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
 
@@ -56,6 +56,9 @@ fn define(line: &DataLine, draft: &mut Draft) {
     match evaluate(value, &draft.parameters) {
         Ok(value) => {
             let value = set.unwrap_or(value);
+            if is_out_of_range((name, &value), line, draft) {
+                return;
+            }
             let stands_alone = is_set || evaluate(text_of, &Values::new()).is_ok();
             if let (true, false, Ok(number)) = (stands_alone, is_known, value.real()) {
                 draft.numbers.push((name.to_owned(), number));
@@ -87,6 +90,29 @@ fn define(line: &DataLine, draft: &mut Draft) {
             broken(format!("the parameter {name} has no value: {why}{with}"), line, draft);
         }
     }
+}
+
+/// Whether a value lies outside the range of its name; complains if so, and then the name has none.
+fn is_out_of_range((name, value): (&str, &Value), line: &DataLine, draft: &mut Draft) -> bool {
+    let Some(&ParameterRange { low, high, origin }) = draft.ranges.get(name) else { return false };
+    let Ok(number) = value.real() else { return false };
+    if low < number && number < high {
+        return false;
+    }
+    let limits = match (low.is_finite(), high.is_finite()) {
+        (true, true) => format!("between {low} and {high}"),
+        (true, false) => format!("above {low}"),
+        _ => format!("below {high}"),
+    };
+    let message = format!("the parameter {name} is {}: it must be {limits}", value.text());
+    let error = Diagnostic::error(Code("SL0287"), message).at(line.span);
+    let error = error.label(origin, "its range");
+    draft.log.push(error.help(format!("give {name} a value {limits}")));
+    // what follows from it is not complained about as well
+    draft.log.first_time(&format!("parameter {name}"));
+    draft.log.has_parameters = true;
+    draft.mark_all_incomplete();
+    true
 }
 
 /// The names in an expression, functions among them.

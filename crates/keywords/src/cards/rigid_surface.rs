@@ -4,9 +4,10 @@ use slideline_deck::{DataLine, normalise};
 use slideline_diag::{Code, Diagnostic};
 use slideline_model::{ProfilePoint, SurfaceSegment};
 
+use crate::crossing::crossing;
 use crate::draft::Draft;
 use crate::draft::{Shape, Surface};
-use crate::fillet::{Profile, fillet};
+use crate::fillet::{Profile, drawn, fillet};
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
 
@@ -85,12 +86,39 @@ pub(super) fn profile(
         return None;
     }
     let profile = (start, segments);
-    match radius {
-        Some(radius) if draft.log.errors() == errors => {
-            with_fillets((card, lines), &profile, radius, draft)
-        }
-        _ => Some(profile),
+    if draft.log.errors() > errors {
+        return Some(profile);
     }
+    let whole = match radius {
+        Some(radius) => with_fillets((card, lines), &profile, radius, draft)?,
+        None => profile.clone(),
+    };
+    warn_of_crossing((card, lines), [&profile, &whole], draft);
+    Some(whole)
+}
+
+/// Says so where a profile crosses itself; the lines of its segments are those before corners were
+/// rounded.
+fn warn_of_crossing(
+    (card, lines): (&Reading<'_>, &[DataLine]),
+    [given, whole]: [&Profile; 2],
+    draft: &mut Draft,
+) {
+    let Some(found) = crossing(&drawn(whole)) else { return };
+    let given = crossing(&drawn(given));
+    let line = |part: usize| lines.get(part + 1).map(|line| line.span);
+    let [earlier, later] = given.map_or([None; 2], |given| given.parts.map(line));
+    let [x, y] = given.map_or(found.at, |given| given.at);
+    let message = format!("the profile crosses itself at ({x:.4e}, {y:.4e})");
+    let mut said =
+        Diagnostic::warning(Code("SL0339"), message).at(later.unwrap_or_else(|| card.span()));
+    if let Some(earlier) = earlier.filter(|_| earlier != later) {
+        said = said.label(earlier, "the segment that it crosses");
+    }
+    draft.log.push(said.help(
+        "beyond the crossing the outside of one segment is the inside of another, and contact there \
+         means nothing: correct the points, or give each part a surface of its own",
+    ));
 }
 
 /// The profile with its corners rounded; complains about a corner that the arc does not fit.

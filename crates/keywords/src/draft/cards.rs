@@ -143,3 +143,11 @@ pub(crate) struct StepDraft {
     pub contact_changes: bool,
     pub origin: Span,
 }
+
+/// Between which numbers a parameter of the deck means anything; neither is one that does.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ParameterRange {
+    pub low: f64,
+    pub high: f64,
+    pub origin: Span,
+}

@@ -12,6 +12,7 @@ use slideline_diag::{Code, Diagnostic};
 use slideline_model::{ContactElement, Formulation, NodeIndex, SlideLine};
 
 use super::chain::{Broken, Chain, Facet, Travel};
+use crate::crossing::crossing;
 use crate::draft::Draft;
 use crate::rule::Subject;
 use crate::surfaces::{NamedSurface, Pairing};
@@ -39,6 +40,7 @@ pub(super) fn slide_line(
             return None;
         }
     };
+    warn_of_crossing(pairing, (&chain, &facets), draft);
     let mean = mean_distance(&chain, slaves, draft);
     match chain.travel(&facets) {
         Travel::AsFound => behind(mean, pairing, draft),
@@ -75,6 +77,33 @@ pub(super) fn slide_line(
     let extension = if is_ring { 0.0 } else { pairing.extension };
     let (nodes, origin) = (chain.nodes, surface.origin);
     Some(SlideLine { nodes, middles, smooth, extension, origin })
+}
+
+/// Says so where a chain crosses itself.
+fn warn_of_crossing(pairing: &Pairing, (chain, facets): (&Chain, &[Facet]), draft: &mut Draft) {
+    let place = |node: NodeIndex| {
+        let [x, y, _] = draft.model.nodes.position(node);
+        [x, y]
+    };
+    let parts: Vec<_> =
+        chain.nodes.windows(2).map(|ends| vec![place(ends[0]), place(ends[1])]).collect();
+    let Some(found) = crossing(&parts) else { return };
+    let of_part = |part: usize| chain.steps.get(part).map(|&(place, _)| facets[place]);
+    let [Some(earlier), Some(later)] = found.parts.map(of_part) else { return };
+    let [x, y] = found.at;
+    let message = format!(
+        "{} crosses itself at ({x:.4e}, {y:.4e}), where elements {} and {} meet",
+        pairing.master.name, earlier.label, later.label
+    );
+    let said = Diagnostic::warning(Code("SL0339"), message).at(later.origin);
+    let said = said.label(earlier.origin, "the element that it crosses");
+    draft.consequence(
+        Subject::Nodes,
+        said.help(
+            "beyond the crossing the outside of one element is the inside of another, and contact \
+             there means nothing: correct the nodes, or give each part a surface of its own",
+        ),
+    );
 }
 
 /// Whether facets are faces of solids, enough of them to go round something.

@@ -295,15 +295,18 @@ pub(super) fn stretches(
     let origin = surface.origin;
     let joined = reached.len() == members.len();
     let how = if joined { "the beams between them" } else { "the distances from node to node" };
-    let message = format!("the areas of the nodes of {} come from {how}", surface.named.name);
-    let note = Diagnostic::note(Code("SL0254"), message).at(origin);
-    draft.consequence(
-        Subject::Contact,
-        note.help(match draft.model.is_of_rings() {
-            true => "half the distance to both neighbours, times the way round the axis",
-            false => "half the distance to both neighbours, times the thickness",
-        }),
-    );
+    // two nodes have no order that could be wrong
+    if nodes.len() > 2 {
+        let message = format!("the areas of the nodes of {} come from {how}", surface.named.name);
+        let note = Diagnostic::note(Code("SL0254"), message).at(origin);
+        draft.consequence(
+            Subject::Contact,
+            note.help(match draft.model.is_of_rings() {
+                true => "half the distance to both neighbours, times the way round the axis",
+                false => "half the distance to both neighbours, times the thickness",
+            }),
+        );
+    }
     if joined {
         return beams;
     }

@@ -3,7 +3,7 @@
 use super::case::{Case, second_coefficient, step_card};
 use crate::constraints::Role;
 use crate::linearised::Contradiction;
-use crate::newton::TOUCH;
+use crate::newton::{Jammed, TOUCH};
 use crate::problem::Problem;
 use crate::state::State;
 use slideline_diag::{Code, Diagnostic, Place, Severity};
@@ -11,6 +11,9 @@ use slideline_model::{
     ContactPair, Friction, Master, Model, NodeIndex, RigidSurface, SlideLine, StickRule,
     SurfaceSegment, Vocabulary,
 };
+
+/// Part of the coefficient of friction that jams: below it parts meet head on. (choice)
+const HEAD_ON: f64 = 0.2;
 
 impl Case<'_> {
     fn pair_of(&self, place: usize) -> &ContactPair {
@@ -39,14 +42,19 @@ impl Case<'_> {
         Some(self.soften(said, pair))
     }
 
+    /// The clearance of a softer law: ten times what there is, or a small part of an element [L].
+    fn softer_clearance(&self, pair: &ContactPair) -> f64 {
+        let begins = -pair.interaction.normal.contact_begins();
+        match begins > 0.0 && begins.is_finite() {
+            true => 10.0 * begins,
+            false => 0.02 * self.plan.contact_length(pair),
+        }
+    }
+
     /// Suggests an exponential law, or one of ten times the clearance.
     fn soften(&self, said: Diagnostic, pair: &ContactPair) -> Diagnostic {
         let interaction = &pair.interaction;
-        let begins = -interaction.normal.contact_begins();
-        let clearance = match begins > 0.0 && begins.is_finite() {
-            true => 10.0 * begins,
-            false => 0.02 * self.plan.contact_length(pair),
-        };
+        let clearance = self.softer_clearance(pair);
         let pressure = self.pressure_scale(pair);
         let card = pair.vocabulary.softened_card(clearance, pressure);
         let help = format!(
@@ -84,36 +92,47 @@ impl Case<'_> {
     }
 
     /// The same where the points are known already.
-    pub(super) fn jam_of(&self, jammed: &[usize]) -> Option<Diagnostic> {
-        let pair = self.pair_of(*jammed.first()?);
+    pub(super) fn jam_of(&self, jammed: &[Jammed]) -> Option<Diagnostic> {
+        let pair = self.pair_of(jammed.first()?.place);
+        let places: Vec<usize> = jammed.iter().map(|jammed| jammed.place).collect();
+        let from = jammed.iter().map(|jammed| jammed.from).fold(f64::INFINITY, f64::min);
+        let origin = pair.interaction.friction_origin;
+        let [_, given] = pair.interaction.friction.coefficients();
+        let is_head_on = from < HEAD_ON * given;
+        let why = match is_head_on {
+            true => {
+                "there the parts meet head on, and a higher contact pressure does not open the \
+                     contact"
+                    .to_owned()
+            }
+            false => format!(
+                "there a higher contact pressure adds more friction than it opens the contact, as it \
+                 does from a coefficient of {from:.3} on"
+            ),
+        };
         let message = format!(
-            "the contact jams at {} {}: there a higher contact pressure adds more friction than \
-             it opens the contact, so no force moves it on{}",
-            self.nodes(jammed),
+            "the contact jams at {} {}: {why}, so no force moves it on{}",
+            self.nodes(&places),
             self.beyond(),
             self.force_reached()
         );
-        let origin = pair.interaction.friction_origin;
-        let said = Diagnostic::error(Code("SL0506"), message)
-            .at(origin.unwrap_or(self.plan.step.origin))
-            .help(
-                "the results up to that time are kept; lower the coefficient of *FRICTION or the \
-                 slope at which the parts meet (mu tan a must stay below 1), or push from another \
-                 side",
-            );
-        Some(match (origin, &pair.interaction.friction) {
-            (Some(origin), Friction::Coulomb { coefficient, second, stick, decay, .. }) => {
-                let exact = if *stick == StickRule::Lagrange { ", LAGRANGE" } else { "" };
-                let lower = 0.5 * coefficient;
-                let (decays, further) = decay.map_or_else(Default::default, |decay| {
-                    let kinetic = 0.5 * decay.kinetic;
-                    (", EXPONENTIAL DECAY", format!(", {kinetic:.4}, {:E}", decay.rate))
-                });
-                let (axes, more) = second_coefficient(second.map(|second| 0.5 * second));
-                let card = format!("*FRICTION{exact}{decays}{axes}\n{lower:.4}{more}{further}\n");
-                said.card(Place::Instead(origin), card)
-            }
-            _ => said,
+        let said =
+            Diagnostic::error(Code("SL0506"), message).at(origin.unwrap_or(self.plan.step.origin));
+        if is_head_on {
+            return Some(said.help(
+                "the results up to that time are kept; hardly any friction would let the parts pass, \
+                 as at an upright wall: make the slope at which they meet flatter, or push from \
+                 another side",
+            ));
+        }
+        let said = said.help(
+            "the results up to that time are kept; lower the coefficient of *FRICTION or the slope \
+             at which the parts meet (mu tan a must stay below 1), or push from another side",
+        );
+        let card = lower_friction(&pair.interaction.friction, from);
+        Some(match origin.zip(card) {
+            Some((origin, card)) => said.card(Place::Instead(origin), card),
+            None => said,
         })
     }
 
@@ -171,8 +190,15 @@ impl Case<'_> {
             });
         }
         let said = said.at(pair.interaction.origin);
+        let swings = (point.overclosure.0 - point.overclosure.1).abs();
         Some(if self.plan.symmetrised() {
             self.steady(said, pair)
+        } else if swings > self.softer_clearance(pair) {
+            said.help(
+                "the results up to that time are kept; the point goes to and fro by more than a softer \
+                 law would reach, between parts of its master whose normals differ: round the corner \
+                 there (FILLET RADIUS, SMOOTH, an arc), refine the slave, or use shorter increments",
+            )
         } else {
             self.soften(said, pair)
         })
@@ -242,9 +268,23 @@ impl Case<'_> {
             total_time: self.committed.total_time + self.dt,
             ..State::default()
         };
-        let last = slid_off(self.plan, self.committed, &now).pop()?;
+        let (_, last) = slid_off(self.plan, self.committed, &now).pop()?;
         Some(Diagnostic { severity: Severity::Error, ..last })
     }
+}
+
+/// Coulomb's law with half the coefficient, or less where it would jam still.
+fn lower_friction(friction: &Friction, from: f64) -> Option<String> {
+    let Friction::Coulomb { coefficient, second, stick, decay, .. } = friction else { return None };
+    let exact = if *stick == StickRule::Lagrange { ", LAGRANGE" } else { "" };
+    let share = 0.5_f64.min(0.8 * from / coefficient);
+    let (decays, further) = decay.map_or_else(Default::default, |decay| {
+        let kinetic = share * decay.kinetic;
+        (", EXPONENTIAL DECAY", format!(", {kinetic:.4}, {:E}", decay.rate))
+    });
+    let (axes, more) = second_coefficient(second.map(|second| share * second));
+    let lower = share * coefficient;
+    Some(format!("*FRICTION{exact}{decays}{axes}\n{lower:.4}{more}{further}\n"))
 }
 
 /// An overclosure in words.
@@ -257,8 +297,8 @@ fn stands(overclosure: f64) -> String {
 }
 
 /// Points that carried pressure at the last commit, now face no master, and
-/// would touch it were its end prolonged: they have slid off. A word a node.
-pub fn slid_off(plan: &Problem<'_>, committed: &State, now: &State) -> Vec<Diagnostic> {
+/// would touch it were its end prolonged: they have slid off. A word a node, with its pair.
+pub fn slid_off(plan: &Problem<'_>, committed: &State, now: &State) -> Vec<(usize, Diagnostic)> {
     // Hard contact touches with a gap of nothing but rounding.
     let slack = TOUCH * plan.reach;
     let mut left = Vec::new();
@@ -285,7 +325,7 @@ pub fn slid_off(plan: &Problem<'_>, committed: &State, now: &State) -> Vec<Diagn
         if let Some((place, card)) = end.card {
             said = said.card(place, card);
         }
-        left.push(said);
+        left.push((point.pair, said));
     }
     left
 }

@@ -17,28 +17,28 @@ use super::points::{Kind, LinearPoints};
 use slideline_mech::contact::tangential::Tangential;
 
 impl LinearisedContact {
-    /// Whether the point at `place` jams when it slides in the direction of
-    /// `way`, by the system that was solved last, at `pressure` [F/L2].
-    /// Integration points of integrated contact are not asked.
-    pub fn jams(
+    /// The coefficient of friction from which on the point at `place` jams when it slides in the
+    /// direction of `way`, by the system that was solved last, at `pressure` [F/L2]; `None` where it
+    /// does not jam. Integration points of integrated contact are not asked.
+    pub fn jams_from(
         &self,
         points: &LinearPoints,
         place: usize,
         (way, pressure): (Tangential, f64),
         context: &LawContext<'_>,
-    ) -> bool {
+    ) -> Option<f64> {
         let m = self.rows.len();
         let row = |kind| self.rows.iter().position(|row| row.point() == Some((place, kind)));
-        let Some(n) = row(Kind::Normal) else { return false };
-        let Some(first) = row(Kind::Tangential(0)) else { return false };
+        let n = row(Kind::Normal)?;
+        let first = row(Kind::Tangential(0))?;
         if way == Tangential::ZERO || pressure <= 0.0 || self.compliance.len() < m * m {
-            return false;
+            return None;
         }
         let law = &context.laws[points[place].law].friction;
         let limit = |pressure| law.limit_traction(pressure, Tangential::ZERO, context.dt);
         let mu = (limit(pressure * (1.0 + 1e-6)) - limit(pressure)) / (1e-6 * pressure);
         if !mu.is_finite() {
-            return false;
+            return None;
         }
         let (d, directions) = (way.direction(), 0..points.directions());
         let ellipse = law.ellipse();
@@ -50,6 +50,8 @@ impl LinearisedContact {
         // what the augmentation stiffness of the point itself takes off its compliance
         let tn: f64 = directions.clone().map(|k| d[k] * c(first + k, n)).sum();
         let augmentation = self.rows[first].augmentation * (nn * tt - nt * tn);
-        nn + mu * nt - augmentation <= 1e-9 * nn.abs()
+        let opens = nn - augmentation;
+        let from = if opens > 0.0 && nt < 0.0 { -opens / nt } else { 0.0 };
+        (opens + mu * nt <= 1e-9 * nn.abs()).then_some(from)
     }
 }

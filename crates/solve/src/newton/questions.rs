@@ -17,21 +17,31 @@ const ROUNDS: usize = 3;
 /// Shift of the diagonal that makes a singular matrix regular [1].
 const SHIFT: f64 = 1e-9;
 
+/// A point that friction locks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Jammed {
+    /// Place of the point.
+    pub place: usize,
+    /// The coefficient of friction from which on it is locked [1].
+    pub from: f64,
+}
+
 impl Scratch {
     /// Points, closed at the last commit, whose friction locks them: by the
     /// equations of the last iteration and the way they went until then.
-    pub fn jammed(&self, plan: &Problem<'_>, committed: &State) -> Vec<usize> {
+    pub fn jammed(&self, plan: &Problem<'_>, committed: &State) -> Vec<Jammed> {
         let around = context(plan, committed, 1.0);
-        let locked = |&own: &usize| {
+        let locked = |own: usize| {
             // the points of an iteration are some of those of the model
             let point = &self.points[own];
-            let Some(before) = committed.points.get(point.place) else { return false };
+            let before = committed.points.get(point.place)?;
             let trial = point.sliding.map_or(Tangential::ZERO, |sliding| sliding.slip);
             let way = if trial.size() > around.rounding { trial } else { before.traction };
-            self.contact.jams(&self.points, own, (way, before.pressure), &around)
+            let from =
+                self.contact.jams_from(&self.points, own, (way, before.pressure), &around)?;
+            Some(Jammed { place: point.place, from })
         };
-        let jammed = (0..self.points.len()).filter(locked);
-        jammed.map(|own| self.points[own].place).collect()
+        (0..self.points.len()).filter_map(locked).collect()
     }
 
     /// The same by the equations with which the attempt began: a trial that
@@ -42,7 +52,7 @@ impl Scratch {
         plan: &Problem<'_>,
         committed: &State,
         target: &Target,
-    ) -> Vec<usize> {
+    ) -> Vec<Jammed> {
         let room = IterationHistory::new(plan.contact.points.len());
         let iteration_history = std::mem::replace(&mut self.iteration_history, room);
         let (u, load, negative_pivots) = (self.u.clone(), self.load.clone(), self.negative_pivots);

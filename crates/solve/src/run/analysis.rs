@@ -63,11 +63,23 @@ pub struct Analysis<'a> {
     pub(super) room_is_judged: bool,
     /// Whether it was said that an edge of a master stands in a face of the slave.
     pub(super) edges_are_judged: bool,
+    /// Nodes that slid off the ends of their masters, pair by pair.
+    pub(super) slid_off: Vec<SlidOff>,
     pub(super) rows: &'a mut Rows,
     /// What the run is differentiated by, and the state and start before the step.
     pub varied: Option<&'a mut Varied>,
     pub(super) before: Option<Box<(State, Start<'static>)>>,
     pub(super) neighbours: &'a mut neighbours::Room,
+}
+
+/// Nodes of a pair that slid off an end of its master.
+pub(super) struct SlidOff {
+    /// Number of the pair.
+    pub pair: usize,
+    /// How many did.
+    pub times: usize,
+    /// What is to be said of the last one.
+    pub last: Diagnostic,
 }
 
 /// Why a step was left before its end.
@@ -102,6 +114,7 @@ impl<'a> Analysis<'a> {
             tangent_is_wrong: false,
             room_is_judged: false,
             edges_are_judged: false,
+            slid_off: Vec::new(),
             rows,
             varied: None,
             before: None,

@@ -59,9 +59,11 @@ impl Analysis<'_> {
             told = told.and(self.judge_stabilisation(plan)).and(self.judge_balance(plan, target));
         }
         told = told.and(self.judge_room(plan)).and(self.judge_edges(plan));
-        for diagnosis in jumped.iter().chain(&left) {
-            told = told.and(self.tell(Event::Diagnosed(diagnosis)));
+        if let Some(jumped) = &jumped {
+            told = told.and(self.tell(Event::Diagnosed(jumped)));
         }
+        let is_last = *decision == Decision::StepDone;
+        told = told.and(self.judge_ends(plan, target, (left, is_last)));
         let kept = self.keep(plan, target, decision, told.is_err());
         told.and(kept)
     }

@@ -294,10 +294,25 @@ impl Itself {
             || (found.distance <= SUNK * self.thickness[part] && !self.is_inside(seat, part))
     }
 
+    /// Depth of the part behind the faces of a seat that look at a segment, undeformed, of both where
+    /// neither does [L]: a web may be thin one way and wide the other.
+    fn thickness_towards(&self, seat: usize, part: usize) -> f64 {
+        let along = |side: usize| {
+            let edge = along_of(&self.reference, side);
+            [edge[0] / size(edge), edge[1] / size(edge)]
+        };
+        let towards = along(part);
+        let least = |sides: &mut dyn Iterator<Item = usize>| {
+            sides.map(|side| self.thickness[side]).reduce(f64::min)
+        };
+        let looking = &mut self.beside(seat).filter(|&side| dot(along(side), towards) < -LOOKS);
+        least(looking).or_else(|| least(&mut self.beside(seat))).unwrap_or(f64::INFINITY)
+    }
+
     /// Whether the node at a seat and a segment were back to back at the start, with their own part
     /// between them.
     fn is_inside(&self, seat: usize, part: usize) -> bool {
-        let own = self.beside(seat).map(|side| self.thickness[side]).fold(f64::INFINITY, f64::min);
+        let own = self.thickness_towards(seat, part);
         let (from, a, b) = (self.reference[seat], self.reference[part], self.reference[part + 1]);
         let edge = sub(b, a);
         let at = (dot(sub(from, a), edge) / dot(edge, edge)).clamp(0.0, 1.0);

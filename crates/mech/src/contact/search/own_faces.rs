@@ -19,6 +19,7 @@ use super::itself::{HERE, INSIDE_OF, LOOKS, SUNK};
 use crate::surface::mesh::{FaceMesh, PlacedFace};
 use crate::vector::{Vector, add, cross, dot, scale, size, sub};
 use ranks::ranks;
+use std::collections::HashMap;
 
 /// Faces about a node that are remembered.
 const MOST: usize = 16;
@@ -98,9 +99,11 @@ impl OwnFaces {
         for (face, own) in mesh.faces().iter().enumerate() {
             own.nodes.iter().for_each(|&node| at[node].push(face));
         }
-        let near = at.iter().map(|faces| {
-            let around = faces.iter().flat_map(|&face| mesh.around(face).iter().copied());
-            let mut near: Vec<usize> = faces.iter().copied().chain(around).collect();
+        let going_on = going_on((mesh, reference), &at);
+        let near = at.iter().zip(&going_on).map(|(faces, going_on)| {
+            let own = || faces.iter().chain(going_on).copied();
+            let around = own().flat_map(|face| mesh.around(face).iter().copied());
+            let mut near: Vec<usize> = own().chain(around).collect();
             near.sort_unstable();
             near.dedup();
             near
@@ -244,11 +247,19 @@ impl OwnFaces {
         own.fold(f64::INFINITY, f64::min)
     }
 
+    /// The same of those that look at a face of this normal: what lies between them is that deep. A
+    /// plate is thin across, and wide between its hole and its rim.
+    fn thickness_towards(&self, (mesh, node): (&FaceMesh, usize), normal: Vector) -> f64 {
+        let looks = |&&own: &&usize| dot(mesh.normal(own, &self.reference), normal) < -LOOKS;
+        let own = self.at[node].iter().filter(looks).map(|&face| self.thickness[face]);
+        own.reduce(f64::min).unwrap_or_else(|| self.thickness_at(node))
+    }
+
     /// Whether a node and a face were back to back at the start, with their own part between them.
     fn is_inside(&self, mesh: &FaceMesh, node: usize, face: usize) -> bool {
         let reference = &self.reference[..];
-        let own = self.thickness_at(node);
         let normal = mesh.normal(face, reference);
+        let own = self.thickness_towards((mesh, node), normal);
         let from = reference[node];
         let square = nearest_of(mesh, reference, face, from).square;
         // to the middle: which side of the part it leads to is asked, not how far
@@ -272,6 +283,29 @@ impl Looking {
         length <= SUNK * self.thickness
             || all.any(|own| dot(*own, normal) < -LOOKS && dot(*own, way) > LOOKS * length)
     }
+}
+
+/// The faces with which the surface goes on at every node though they have another one in its place, as
+/// beyond the cut through a bolt: those that look at none of the node's own faces.
+fn going_on((mesh, reference): (&FaceMesh, &[Vector]), at: &[Vec<usize>]) -> Vec<Vec<usize>> {
+    let mut standing: HashMap<[u64; 3], Vec<usize>> = HashMap::new();
+    for (node, place) in reference.iter().enumerate() {
+        // the same place but for the sign of a zero
+        standing.entry(place.map(|x| (x + 0.0).to_bits())).or_default().push(node);
+    }
+    let mut going_on = vec![Vec::new(); reference.len()];
+    for nodes in standing.values().filter(|nodes| nodes.len() > 1) {
+        for &node in nodes {
+            let others = nodes.iter().filter(|&&other| other != node);
+            let faces = others.flat_map(|&other| at[other].iter().copied());
+            let looks = |face: usize, own: usize| {
+                dot(mesh.normal(face, reference), mesh.normal(own, reference)) < -LOOKS
+            };
+            going_on[node] =
+                faces.filter(|&face| !at[node].iter().any(|&own| looks(face, own))).collect();
+        }
+    }
+    going_on
 }
 
 /// How far the straight way inward from the middle of a face leads to the next face that ends its

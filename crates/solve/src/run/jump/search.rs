@@ -164,9 +164,10 @@ impl Jump {
         ));
         let node = self.node.map(|(node, _)| plan.model.nodes.get(node).origin);
         Diagnostic::note(Code("SL0603"), message).at(node).help(
-            "a hook that springs off an edge does this, and no action is needed; released_energy \
-             in JOB.energy.csv contains this energy, and the motion during the jump is not in \
-             equilibrium",
+            "is a jump meant here, as of a hook that springs off an edge? Then nothing needs to be \
+             changed: released_energy in JOB.energy.csv has this energy. Else a node hung on a corner \
+             of its master until it tore off: round the corner (FILLET RADIUS, SMOOTH), or refine \
+             the slave",
         )
     }
 }

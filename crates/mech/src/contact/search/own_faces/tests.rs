@@ -245,3 +245,76 @@ fn nothing_is_met_through_a_wall() {
         assert_eq!(met(&mesh, &nodes, &own, number), None, "{at:?}");
     }
 }
+
+/// The skin of a plate of one layer of cells with a square hole in the middle: 10 wide, 1 thick, the hole 2.4.
+fn plate_with_a_hole() -> (FaceMesh, Vec<Vector>) {
+    const LINES: [f64; 6] = [-5.0, -2.5, -1.2, 1.2, 2.5, 5.0];
+    let is_solid = |i: usize, j: usize| i < 5 && j < 5 && (i, j) != (2, 2);
+    let (mut known, mut nodes, mut faces) = (HashMap::new(), Vec::new(), Vec::new());
+    let mut node = |place: [usize; 3]| {
+        *known.entry(place).or_insert_with(|| {
+            nodes.push([LINES[place[0]], LINES[place[1]], place[2] as f64]);
+            nodes.len() - 1
+        })
+    };
+    let mut push = |corners: [[usize; 3]; 4]| {
+        faces.push(MeshFace { cell: &QUAD4, nodes: corners.map(&mut node).to_vec() });
+    };
+    for (i, j) in (0..5).flat_map(|i| (0..5).map(move |j| (i, j))).filter(|&(i, j)| is_solid(i, j))
+    {
+        let round = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]];
+        push(round.map(|[a, b]| [a, b, 1]));
+        push([3, 2, 1, 0].map(|k: usize| [round[k][0], round[k][1], 0]));
+        let beside = [(i, j.wrapping_sub(1)), (i + 1, j), (i, j + 1), (i.wrapping_sub(1), j)];
+        for (side, _) in beside.into_iter().enumerate().filter(|(_, (a, b))| !is_solid(*a, *b)) {
+            let [from, to] = [round[side], round[(side + 1) % 4]];
+            push([
+                [from[0], from[1], 0],
+                [to[0], to[1], 0],
+                [to[0], to[1], 1],
+                [from[0], from[1], 1],
+            ]);
+        }
+    }
+    let mesh = FaceMesh::new(faces, &nodes, false);
+    (mesh, nodes)
+}
+
+/// Requirement: between the hole of a plate and its rim is material, however thin the plate is: no node
+/// meets anything, as it stands and drawn or pressed a little.
+#[test]
+fn a_plate_does_not_meet_itself_through_its_rim() {
+    let (mesh, nodes) = plate_with_a_hole();
+    let own = OwnFaces::new(&mesh, &nodes);
+    for stretch in [1.0, 0.98, 1.02] {
+        let moved: Vec<Vector> = nodes.iter().map(|&[x, y, z]| [stretch * x, y, z]).collect();
+        for node in 0..nodes.len() {
+            let face = met(&mesh, &moved, &own, node).map(|place| place.face);
+            assert_eq!(face, None, "node {node} at {:?}, {stretch}", nodes[node]);
+        }
+    }
+}
+
+/// Requirement: a part that is cut through, as a bolt that is drawn together, has two nodes in every
+/// place of the cut. Its sides go on beyond it, and what goes on does not stop a node.
+#[test]
+fn a_cut_part_goes_on() {
+    let (mut faces, mut nodes) = (Vec::new(), Vec::new());
+    block([[0.0, 0.0, 0.0], [1.0, 1.0, 2.0]], &mut faces, &mut nodes);
+    block([[0.0, 0.0, 2.0], [1.0, 1.0, 4.0]], &mut faces, &mut nodes);
+    faces.retain(|face| face.nodes.iter().any(|&node| nodes[node][2] != 2.0));
+    let mesh = FaceMesh::new(faces, &nodes, false);
+    let own = OwnFaces::new(&mesh, &nodes);
+    let cut = |node: &usize| nodes[*node][2] == 2.0 && !own.at[*node].is_empty();
+    let mut checked = 0;
+    for node in (0..nodes.len()).filter(cut) {
+        for (face, other) in mesh.faces().iter().enumerate() {
+            if other.nodes.iter().any(|&other| nodes[other] == nodes[node]) {
+                assert!(!own.stops(node, face), "{node} {face}");
+                checked += 1;
+            }
+        }
+    }
+    // 16 places about the square, two nodes each, two faces of each half
+    assert_eq!(checked, 16 * 2 * 4);
+}
