@@ -288,9 +288,9 @@ fn a_plate_does_not_meet_itself_through_its_rim() {
     let own = OwnFaces::new(&mesh, &nodes);
     for stretch in [1.0, 0.98, 1.02] {
         let moved: Vec<Vector> = nodes.iter().map(|&[x, y, z]| [stretch * x, y, z]).collect();
-        for node in 0..nodes.len() {
+        for (node, at) in nodes.iter().enumerate() {
             let face = met(&mesh, &moved, &own, node).map(|place| place.face);
-            assert_eq!(face, None, "node {node} at {:?}, {stretch}", nodes[node]);
+            assert_eq!(face, None, "node {node} at {at:?}, {stretch}");
         }
     }
 }
