@@ -247,7 +247,8 @@ fn each_of_point(point: &mut PointState, call: &mut impl FnMut(&mut [f64])) {
     ];
     call(&mut numbers);
     let [of_laws @ .., x0, x1, x2, n0, n1, n2] = numbers;
-    let [pressure, opening, allowed, lost, dropped_work, area, xi, t0, t1, e0, e1, s0, s1] = of_laws;
+    let [pressure, opening, allowed, lost, dropped_work, area, xi, t0, t1, e0, e1, s0, s1] =
+        of_laws;
     (point.pressure, point.opening, point.allowed) = (pressure, opening, allowed);
     (point.dissipated, point.dropped_work) = (lost, dropped_work);
     (point.area, point.xi) = (area, xi);
