@@ -124,6 +124,44 @@ fn solids_on_one_another() {
     }
 }
 
+/// A square that stands on its corner is pressed into a row of squares and dragged; `pair` names both sides.
+fn corner(pair: &str) -> String {
+    let mut deck = String::from(
+        "*PARAMETER\nmodulus = 1000.0\nmu = 0.2\npress = 0.06\nx = 0.4\nlow = -0.01\ndown = -press\nleft = -x\n*NODE\n",
+    );
+    for k in 0..5 {
+        let x = 0.5 * f64::from(k) - 0.87;
+        deck += &format!("{}, {x:?}, -1.0\n{}, {x:?}, 0.0\n", 1 + k, 11 + k);
+    }
+    deck += "100, 0.0, <low>\n101, <x>, 0.4\n102, 0.0, 0.8\n103, <left>, 0.4\n\
+             *ELEMENT, TYPE=CPE4, ELSET=ROW\n1, 1, 2, 12, 11\n2, 2, 3, 13, 12\n3, 3, 4, 14, 13\n\
+             4, 4, 5, 15, 14\n*ELEMENT, TYPE=CPE4, ELSET=SQUARE\n9, 100, 101, 102, 103\n\
+             *SOLID SECTION, ELSET=ROW, MATERIAL=M\n1.0\n*SOLID SECTION, ELSET=SQUARE, MATERIAL=M\n1.0\n\
+             *MATERIAL, NAME=M\n*ELASTIC\n<modulus>, 0.3\n*SURFACE, NAME=TOP\nROW, S3\n\
+             *SURFACE, NAME=TIP\nSQUARE, S1\nSQUARE, S4\n*SURFACE INTERACTION, NAME=DRY\n*FRICTION\n<mu>\n";
+    deck += &format!("*CONTACT PAIR, INTERACTION=DRY, {pair}\n");
+    deck += "*NSET, NSET=LOW, GENERATE\n1, 5\n*NSET, NSET=HEAD\n101, 102, 103\n*BOUNDARY\nLOW, 1, 2\n\
+             *STEP, NLGEOM\n*STATIC, DIRECT\n0.2, 1.0\n*CONTROLS, PARAMETERS=FIELD\n1e-11, 1e-8\n\
+             *BOUNDARY\nHEAD, 1, 1, 0.05\nHEAD, 2, 2, <down>\n*END STEP\n";
+    deck
+}
+
+/// Requirement: derivatives where a sharp edge is held, of the slave over faces and of the master.
+#[test]
+fn a_corner_that_is_held() {
+    let parameters =
+        [("modulus", 1000.0), ("mu", 0.2), ("press", 0.06), ("x", 0.4), ("low", -0.01)];
+    let responses: [Response; 4] = [
+        |frame| reaction(frame, 102, Dof::U1),
+        |frame| reaction(frame, 102, Dof::U2),
+        |frame| motion(frame, 100, Dof::U2),
+        |frame| frame.energy.strain_energy,
+    ];
+    for pair in ["TYPE=SURFACE TO SURFACE\nTIP, TOP", "TYPE=NODE TO SURFACE\nTOP, TIP"] {
+        Varied::new(&corner(pair), &parameters, &responses).check(&[1e-4], 1e-5);
+    }
+}
+
 /// What else a frame holds: rows of contact and of its pairs, of beams, energies.
 const OF_FRAMES: [Response; 8] = [
     |frame| frame.contact.iter().map(|row| row.pressure).sum(),
