@@ -55,9 +55,20 @@ impl Keyword for ContactPair {
             let message = "SMALL SLIDING: sliding is finite here, of which small sliding is a part";
             draft.log.note("SL0257", message, card.span_of("SMALL SLIDING"));
         }
-        let known =
-            &["NODE TO SURFACE", "SURFACE TO SURFACE", "MORTAR", "LINMORTAR", "PGLINMORTAR"];
+        let known = &[
+            "NODE TO SURFACE",
+            "SURFACE TO SURFACE",
+            "MORTAR",
+            "LINMORTAR",
+            "PGLINMORTAR",
+            "MASSLESS",
+        ];
         let formulation = match card.choice("TYPE", known, &mut draft.log) {
+            Some("MASSLESS") => {
+                let message = "TYPE=MASSLESS: without time in it this is hard contact at the nodes";
+                draft.log.note("SL0257", message, card.span_of("TYPE"));
+                Formulation::NodeToSurface
+            }
             None | Some("NODE TO SURFACE") => Formulation::NodeToSurface,
             Some(_) => Formulation::SurfaceToSurface,
         };

@@ -183,6 +183,19 @@ fn node_to_surface_is_the_default_of_type() {
     assert_eq!(bare(&pair("")), bare(&pair(", TYPE=node to surface")));
 }
 
+/// What CalculiX calls massless is contact at nodes where no time is in it, and that is said.
+#[test]
+fn massless_contact_is_at_nodes() {
+    let deck = include_str!("../../../../corpus/keywords/CONTACT.inp");
+    let general = "*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n";
+    let pair = "*SURFACE, NAME=LOW\nA, S3\n*SURFACE, NAME=UP\nB, S1\n*SURFACE INTERACTION, NAME=I\n\
+                *CONTACT PAIR, INTERACTION=I, TYPE=MASSLESS\nUP, LOW\n";
+    let read = with(deck, &[(general, pair)]);
+    assert_eq!(only_pair(&read.model).formulation, Formulation::NodeToSurface);
+    let notes = read.diagnostics.iter().filter(|own| own.code.0 == "SL0257");
+    assert!(notes.into_iter().any(|own| own.message.contains("MASSLESS")));
+}
+
 #[test]
 fn a_master_of_beams_has_its_defaults() {
     let model = model_of(NODES, &[]);
