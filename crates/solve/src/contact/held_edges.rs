@@ -22,7 +22,7 @@ use std::collections::HashMap;
 
 /// Part of the size of a face by which an edge may stand in it beyond the mean and not be held [1]: less is
 /// what faces that bend about an edge, and meshes that do not match, come to.
-const FREE: f64 = 0.02;
+const FREE: f64 = 0.01;
 
 /// Slave nodes of a pair about an edge, with their shares [1].
 type About = [(usize, f64); 4];
@@ -133,7 +133,7 @@ impl Contact {
         let Some((mean, size)) = self.mean_about(place, (own, now), before) else { return 0.0 };
         let beyond = mean - (now.opening - now.allowed);
         let free = FREE * size;
-        (-mean).max(0.0) + free * (1.0 - smooth_step(beyond / free))
+        (-mean).max(0.0) + free * (1.0 - smooth_step(0.5 * beyond / free))
     }
 
     /// The gap that a pair shows where an edge of it stands, and the size of the faces there [L]; `None` where no
