@@ -35,6 +35,23 @@ impl Model {
     }
 }
 
+/// Nodes of sharp edges.
+#[derive(Default)]
+struct Sharp {
+    /// Where a surface turns.
+    turns: Vec<NodeIndex>,
+    /// Where it ends.
+    ends: Vec<NodeIndex>,
+}
+
+impl Sharp {
+    fn with(mut self, other: Self) -> Self {
+        self.turns.extend(other.turns);
+        self.ends.extend(other.ends);
+        self
+    }
+}
+
 /// The sharp edges of both sides of a pair.
 fn edges_of(model: &Model, (of, pair): (usize, &ContactPair)) -> Vec<EdgePair> {
     let is_of_faces = pair.of_solids || !pair.faces.is_empty();
@@ -47,25 +64,43 @@ fn edges_of(model: &Model, (of, pair): (usize, &ContactPair)) -> Vec<EdgePair> {
     let mut found = Vec::new();
     if pair.formulation == Formulation::Mortar {
         let sharp = match pair.faces.is_empty() {
-            true => runs(&pair.elements).iter().flat_map(|run| sharp_nodes(run, 1.0, at)).collect(),
+            true => {
+                let runs = runs(&pair.elements);
+                let all = runs.iter().map(|run| sharp_nodes(run, 1.0, at));
+                all.fold(Sharp::default(), Sharp::with)
+            }
             false => sharp_in_space(&pair.faces, at),
         };
-        let nodes = alone(sharp, &of_master);
-        found.push(EdgePair { of, nodes, is_of_master: false, met: as_met_by_nodes(&pair.master) });
+        let (nodes, turns) = alone(sharp, &of_master);
+        found.push(EdgePair {
+            of,
+            nodes,
+            turns,
+            is_of_master: false,
+            met: as_met_by_nodes(&pair.master),
+        });
     }
-    let sharp = alone(sharp_of_master(pair, at), &of_slave);
+    let (sharp, turns) = alone(sharp_of_master(pair, at), &of_slave);
     for met in surfaces_of_slave(pair, &sharp, at) {
         let nodes = sharp.clone();
-        found.push(EdgePair { of, nodes, is_of_master: true, met });
+        found.push(EdgePair { of, nodes, turns, is_of_master: true, met });
     }
     found.retain(|own| !own.nodes.is_empty());
     found
 }
 
-/// Each node once, those of the other side left out: they meet no face that they belong to.
-fn alone(nodes: Vec<NodeIndex>, other: &HashSet<NodeIndex>) -> Vec<NodeIndex> {
+/// Each node once, those at which a surface turns first, and how many these are; those of the other side left out:
+/// they meet no face that they belong to.
+fn alone(sharp: Sharp, other: &HashSet<NodeIndex>) -> (Vec<NodeIndex>, usize) {
     let mut seen = HashSet::new();
-    nodes.into_iter().filter(|node| !other.contains(node) && seen.insert(*node)).collect()
+    let mut nodes = Vec::new();
+    let mut take = |list: Vec<NodeIndex>| {
+        nodes.extend(list.into_iter().filter(|node| !other.contains(node) && seen.insert(*node)));
+        nodes.len()
+    };
+    let turns = take(sharp.turns);
+    take(sharp.ends);
+    (nodes, turns)
 }
 
 fn nodes_of_slave(pair: &ContactPair) -> impl Iterator<Item = NodeIndex> + '_ {
@@ -74,22 +109,20 @@ fn nodes_of_slave(pair: &ContactPair) -> impl Iterator<Item = NodeIndex> + '_ {
 }
 
 /// Nodes at which the master of a pair turns away sharply, or ends.
-fn sharp_of_master(pair: &ContactPair, at: impl Fn(NodeIndex) -> [f64; 3]) -> Vec<NodeIndex> {
+fn sharp_of_master(pair: &ContactPair, at: impl Fn(NodeIndex) -> [f64; 3]) -> Sharp {
     match &pair.master {
         Master::SlideLine(line) => sharp_nodes(&line.nodes, -1.0, at),
         Master::Faces(MasterFaces { faces, swept: None, .. }) => sharp_in_space(faces, at),
-        Master::Faces(_) | Master::RigidSurface(_) | Master::Itself(_) => Vec::new(),
+        Master::Faces(_) | Master::RigidSurface(_) | Master::Itself(_) => Sharp::default(),
     }
 }
 
 /// Nodes at which a line of the plane ends, or turns sharply to the side of the material: to its left (1) or
 /// to its right (-1).
-fn sharp_nodes(
-    nodes: &[NodeIndex],
-    side: f64,
-    at: impl Fn(NodeIndex) -> [f64; 3],
-) -> Vec<NodeIndex> {
-    let (Some(&first), Some(&last)) = (nodes.first(), nodes.last()) else { return Vec::new() };
+fn sharp_nodes(nodes: &[NodeIndex], side: f64, at: impl Fn(NodeIndex) -> [f64; 3]) -> Sharp {
+    let (Some(&first), Some(&last)) = (nodes.first(), nodes.last()) else {
+        return Sharp::default();
+    };
     let turns = |[before, here, behind]: [NodeIndex; 3]| {
         let (one, other) = (sub(at(here), at(before)), sub(at(behind), at(here)));
         let turn = side * cross(one, other)[2];
@@ -99,35 +132,34 @@ fn sharp_nodes(
     match first == last && nodes.len() > 2 {
         true => {
             let seam = turns([nodes[nodes.len() - 2], first, nodes[1]]).then_some(first);
-            inner.chain(seam).collect()
+            Sharp { turns: inner.chain(seam).collect(), ends: Vec::new() }
         }
-        false => inner.chain([first, last]).collect(),
+        false => Sharp { turns: inner.collect(), ends: vec![first, last] },
     }
 }
 
 /// Corners of faces in space about which the surface has a crease, or at which it ends.
-fn sharp_in_space(faces: &[ContactFace], at: impl Fn(NodeIndex) -> [f64; 3]) -> Vec<NodeIndex> {
+fn sharp_in_space(faces: &[ContactFace], at: impl Fn(NodeIndex) -> [f64; 3]) -> Sharp {
     let of_mesh =
         |face: &ContactFace| Some(MeshFace { cell: face.cell()?, nodes: face.nodes.clone() });
     let mesh: Vec<MeshFace> = faces.iter().filter_map(of_mesh).collect();
     let groups = smooth_groups(&mesh, at);
     let (mut group_of, mut edges) = (HashMap::new(), HashMap::new());
-    let mut sharp = Vec::new();
+    let mut turns = Vec::new();
     for (face, groups) in mesh.iter().zip(groups) {
         let corners = face.cell.faces.len();
         for (corner, group) in groups.into_iter().enumerate().take(corners) {
             let (node, next) = (face.nodes[corner], face.nodes[(corner + 1) % corners]);
             *edges.entry([node.min(next), node.max(next)]).or_insert(0) += 1;
             if *group_of.entry(node).or_insert(group) != group {
-                sharp.push(node);
+                turns.push(node);
             }
         }
     }
     let mut ends: Vec<[NodeIndex; 2]> =
         edges.into_iter().filter(|(_, count)| *count == 1).map(|(edge, _)| edge).collect();
     ends.sort_unstable();
-    sharp.extend(ends.into_flattened());
-    sharp
+    Sharp { turns, ends: ends.into_flattened() }
 }
 
 /// A master that contact over faces slides on as what nodes meet.

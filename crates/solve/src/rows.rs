@@ -50,7 +50,8 @@ fn hand_edges_over(contact: &Contact, state: &State, rows: &mut [ContactRow]) {
             if !row.opening.is_finite() {
                 (row.directions, row.normal) = (shear, now.normal.map(|own| sign * own));
             }
-            let part = share * now.area / row.area;
+            // middle nodes of faces in space carry all, their corners none
+            let part = if row.area > 0.0 { share * now.area / row.area } else { 0.0 };
             row.pressure += part * now.pressure;
             for (way, into) in row.directions.into_iter().zip(&mut row.shear.0) {
                 *into += part

@@ -23,6 +23,8 @@ use std::collections::HashMap;
 /// Part of the size of a face by which an edge may stand in it beyond the mean and not be held [1]: less is
 /// what faces that bend about an edge, and meshes that do not match, come to.
 const FREE: f64 = 0.01;
+/// The same where a surface ends: the other side may lie upon what goes on beyond it [1].
+const FREE_AT_ENDS: f64 = 0.1;
 
 /// Slave nodes of a pair about an edge, with their shares [1].
 type About = [(usize, f64); 4];
@@ -44,8 +46,8 @@ impl Contact {
             true => edges.met.deforming_nodes().iter().map(seat).collect(),
         };
         let (of, of_master) = (edges.of, edges.is_of_master);
-        let count = edges.nodes.len();
-        self.edge_points.push(EdgePoints { of, of_master, first, count, seats, slaves });
+        let (count, turns) = (edges.nodes.len(), edges.turns);
+        self.edge_points.push(EdgePoints { of, of_master, first, count, turns, seats, slaves });
         self.slave_nodes.push(edges.nodes.clone());
         self.edges.push(Vec::new());
         self.spread_nodes.push(Vec::new());
@@ -103,7 +105,8 @@ impl Contact {
             let mean = areas.iter().sum::<f64>() / areas.len().max(1) as f64;
             for place in own.range() {
                 let seat = if own.of_master { usize::MAX } else { own.seats[place - own.first] };
-                points[place].area = areas.get(seat).copied().unwrap_or(mean);
+                let own = areas.get(seat).copied().filter(|area| *area > 0.0);
+                points[place].area = own.unwrap_or(mean);
             }
         }
     }
@@ -132,7 +135,7 @@ impl Contact {
         }
         let Some((mean, size)) = self.mean_about(place, (own, now), before) else { return 0.0 };
         let beyond = mean - (now.opening - now.allowed);
-        let free = FREE * size;
+        let free = if place - own.first < own.turns { FREE } else { FREE_AT_ENDS } * size;
         (-mean).max(0.0) + free * (1.0 - smooth_step(0.5 * beyond / free))
     }
 

@@ -163,8 +163,9 @@ impl Contact {
                     self.allowed_along(&self.segments[*segment], into.point.xi)
                 }
             };
+            let deep = into.point.overclosure;
             into.point.allow(allowed);
-            if self.came_from_behind(place, into.point.overclosure, before.points.get(place)) {
+            if self.came_from_behind(place, deep, before.points.get(place)) {
                 into.turn_away_in_place();
             }
         }
