@@ -53,7 +53,6 @@ pub fn commit(
     trial.state_variables.copy_from_slice(&evaluation.state_variables);
     trial.elements.copy_from_slice(&committed.elements);
     plan.structure.gather_state(&evaluation.contributions, &mut trial.elements);
-    note_edges(plan, trial);
     count_slip(plan, committed, work, trial);
     let controls = &plan.step.controls.field;
     trial.flux = committed.flux;
@@ -87,17 +86,6 @@ fn begin_turns(plan: &Problem<'_>, committed: &State, trial: &mut State) {
         if now != before && plan.constraints.may_turn_anew(node, plan.dofs) {
             trial.turns.resize(plan.model.nodes.len(), Turn::REST);
             trial.turns[node] = now;
-        }
-    }
-}
-
-/// Slave nodes that take a part of what an edge carries are in contact too.
-fn note_edges(plan: &Problem<'_>, trial: &mut State) {
-    for place in plan.contact.places_of_edges() {
-        let now = trial.points[place];
-        if now.closed {
-            plan.contact
-                .spread_edge(place, &now, |slave, _| trial.points[slave].ever_closed = true);
         }
     }
 }

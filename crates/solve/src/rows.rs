@@ -1,4 +1,4 @@
-//! Contact points as output wants to see them: a row a slave node.
+//! Contact points as output wants to see them: a row a slave node, and one each sharp edge that is held.
 //!
 //! ```text
 //!   node contact:        a row is a point
@@ -6,11 +6,10 @@
 //!                        weighted by its linear shape function
 //! ```
 
-use crate::contact::{Contact, SEGMENT_POINTS, SlaveSegment};
+use crate::contact::{Contact, SEGMENT_POINTS, SlavePoint, SlaveSegment};
 use crate::dofs::DofMap;
 use crate::observe::results::{ContactRow, FrictionCall, Status};
 use crate::state::{PointState, State};
-use slideline_mech::vector::dot;
 use slideline_model::{Formulation, Model, NodeIndex};
 
 /// Fills the rows of a committed state, pair by pair; sums of nodes are scratch.
@@ -33,40 +32,19 @@ pub fn contact_rows(
             }
         }
     }
-    hand_edges_over(contact, state, rows);
+    edge_rows(contact, state, rows);
 }
 
-/// Hands what sharp edges carry over to the rows of the slave nodes about them, whose forces it is.
-fn hand_edges_over(contact: &Contact, state: &State, rows: &mut [ContactRow]) {
-    for place in contact.places_of_edges().filter(|&place| state.points[place].closed) {
-        let (now, pair) = (&state.points[place], contact.points[place].pair);
-        let parent = contact.parent(pair);
-        let first_row = rows.partition_point(|row| row.pair < parent);
-        let first_point = contact.points.partition_point(|point| point.pair < parent);
-        let sign = if contact.is_reversed(pair) { -1.0 } else { 1.0 };
-        let shear = now.directions().map(|way| way.map(|own| sign * own));
-        contact.spread_edge(place, now, |slave, share| {
-            let Some(row) = rows.get_mut(first_row + slave - first_point) else { return };
-            if !row.opening.is_finite() {
-                (row.directions, row.normal) = (shear, now.normal.map(|own| sign * own));
-            }
-            // middle nodes of faces in space carry all, their corners none
-            let part = if row.area > 0.0 { share * now.area / row.area } else { 0.0 };
-            row.pressure += part * now.pressure;
-            for (way, into) in row.directions.into_iter().zip(&mut row.shear.0) {
-                *into += part
-                    * (now.traction[0] * dot(shear[0], way) + now.traction[1] * dot(shear[1], way));
-            }
-            row.dropped_work += share * now.dropped_work;
-            row.ever_closed = true;
-            row.opening = row.opening.min(now.opening);
-            if row.status != Status::Slip {
-                row.status = now.status;
-            }
-            if row.friction != FrictionCall::Dropped && now.friction != FrictionCall::None {
-                row.friction = now.friction;
-            }
-        });
+/// Adds the rows of sharp edges that are or were held, as what they do to the slaves: normal and directions are turned where
+/// the edge is of the master.
+fn edge_rows(contact: &Contact, state: &State, rows: &mut Vec<ContactRow>) {
+    for place in contact.places_of_edges().filter(|&place| state.points[place].ever_closed) {
+        let point = &contact.points[place];
+        let sign = if contact.is_reversed(point.pair) { -1.0 } else { 1.0 };
+        let row = row_of(point, &state.points[place], contact.parent(point.pair));
+        let normal = row.normal.map(|own| sign * own);
+        let directions = row.directions.map(|way| way.map(|own| sign * own));
+        rows.push(ContactRow { normal, directions, ..row });
     }
 }
 
@@ -74,26 +52,29 @@ fn hand_edges_over(contact: &Contact, state: &State, rows: &mut [ContactRow]) {
 type Numbered<'a> = (&'a Model, &'a DofMap);
 
 fn node_rows(contact: &Contact, state: &State, pair: usize, rows: &mut Vec<ContactRow>) {
-    let of_pair = |(point, _): &(&crate::contact::SlavePoint, _)| point.pair == pair;
-    rows.extend(contact.points.iter().zip(&state.points).filter(of_pair).map(|(point, state)| {
-        ContactRow {
-            pair,
-            node: point.node,
-            status: state.status,
-            ever_closed: state.ever_closed,
-            opening: state.opening,
-            pressure: state.pressure,
-            shear: state.traction,
-            slip: state.slip,
-            directions: state.directions(),
-            area: point.area,
-            friction: state.friction,
-            position: state.position,
-            normal: state.normal,
-            along: state.along.unwrap_or_default()[0],
-            dropped_work: state.dropped_work,
-        }
-    }));
+    let of_pair = |(point, _): &(&SlavePoint, _)| point.pair == pair;
+    let own = contact.points.iter().zip(&state.points).filter(of_pair);
+    rows.extend(own.map(|(point, state)| row_of(point, state, pair)));
+}
+
+fn row_of(point: &SlavePoint, state: &PointState, pair: usize) -> ContactRow {
+    ContactRow {
+        pair,
+        node: point.node,
+        status: state.status,
+        ever_closed: state.ever_closed,
+        opening: state.opening,
+        pressure: state.pressure,
+        shear: state.traction,
+        slip: state.slip,
+        directions: state.directions(),
+        area: point.area,
+        friction: state.friction,
+        position: state.position,
+        normal: state.normal,
+        along: state.along.unwrap_or_default()[0],
+        dropped_work: state.dropped_work,
+    }
 }
 
 /// Sums of a slave node of integrated contact.

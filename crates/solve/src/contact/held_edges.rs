@@ -205,18 +205,6 @@ impl Contact {
         about
     }
 
-    /// Calls back with the points of slave nodes that stand about a closed edge point, and the part of its
-    /// force that each of them takes [1].
-    pub fn spread_edge(&self, place: usize, now: &PointState, mut call: impl FnMut(usize, f64)) {
-        let Some(own) = self.points[place].pair.checked_sub(self.own_pairs()) else { return };
-        for (seat, share) in self.about(place, now).into_iter().filter(|(_, share)| *share != 0.0) {
-            let slave = self.edge_points[own].slaves.get(seat);
-            if let Some(&point) = slave.and_then(|slave| slave.points.first()) {
-                call(point, share);
-            }
-        }
-    }
-
     /// Work of edges as more or less of their depth is allowed, by the trapezoidal rule [F L].
     pub(super) fn work_at_edges(&self, committed: &State, trial: &State) -> f64 {
         let own = self.places_of_edges();
