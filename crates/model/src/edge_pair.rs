@@ -9,10 +9,8 @@ use crate::surface::{ContactFace, Master};
 pub struct EdgePair {
     /// Place of the pair.
     pub of: usize,
-    /// The nodes: first those at which the surface turns, then those where it ends.
+    /// The nodes.
     pub nodes: Vec<NodeIndex>,
-    /// How many of them are of the first kind.
-    pub turns: usize,
     /// Whether they are of the master, and meet the slave surface; or else of the slave, and meet the master.
     pub is_of_master: bool,
     /// What they meet, as nodes meet it.

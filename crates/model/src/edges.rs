@@ -2,8 +2,8 @@
 //!
 //! ```text
 //!        \   /  slave                slave  o-----------------o
-//!         \ /                                     .-X-.             X: a node of a sharp edge,
-//!     -----X-----  master             master     /     \               or where a surface ends
+//!         \ /                                     .-X-.             X: a node of a sharp edge
+//!     -----X-----  master             master     /     \
 //! ```
 //!
 //! Contact over faces takes means over a face, and contact at nodes sees nothing between two of them:
@@ -35,23 +35,6 @@ impl Model {
     }
 }
 
-/// Nodes of sharp edges.
-#[derive(Default)]
-struct Sharp {
-    /// Where a surface turns.
-    turns: Vec<NodeIndex>,
-    /// Where it ends.
-    ends: Vec<NodeIndex>,
-}
-
-impl Sharp {
-    fn with(mut self, other: Self) -> Self {
-        self.turns.extend(other.turns);
-        self.ends.extend(other.ends);
-        self
-    }
-}
-
 /// The sharp edges of both sides of a pair.
 fn edges_of(model: &Model, (of, pair): (usize, &ContactPair)) -> Vec<EdgePair> {
     let is_of_faces = pair.of_solids || !pair.faces.is_empty();
@@ -64,43 +47,25 @@ fn edges_of(model: &Model, (of, pair): (usize, &ContactPair)) -> Vec<EdgePair> {
     let mut found = Vec::new();
     if pair.formulation == Formulation::Mortar {
         let sharp = match pair.faces.is_empty() {
-            true => {
-                let runs = runs(&pair.elements);
-                let all = runs.iter().map(|run| sharp_nodes(run, 1.0, at));
-                all.fold(Sharp::default(), Sharp::with)
-            }
+            true => runs(&pair.elements).iter().flat_map(|run| sharp_nodes(run, 1.0, at)).collect(),
             false => sharp_in_space(&pair.faces, at),
         };
-        let (nodes, turns) = alone(sharp, &of_master);
-        found.push(EdgePair {
-            of,
-            nodes,
-            turns,
-            is_of_master: false,
-            met: as_met_by_nodes(&pair.master),
-        });
+        let nodes = alone(sharp, &of_master);
+        found.push(EdgePair { of, nodes, is_of_master: false, met: as_met_by_nodes(&pair.master) });
     }
-    let (sharp, turns) = alone(sharp_of_master(pair, at), &of_slave);
+    let sharp = alone(sharp_of_master(pair, at), &of_slave);
     for met in surfaces_of_slave(pair, &sharp, at) {
         let nodes = sharp.clone();
-        found.push(EdgePair { of, nodes, turns, is_of_master: true, met });
+        found.push(EdgePair { of, nodes, is_of_master: true, met });
     }
     found.retain(|own| !own.nodes.is_empty());
     found
 }
 
-/// Each node once, those at which a surface turns first, and how many these are; those of the other side left out:
-/// they meet no face that they belong to.
-fn alone(sharp: Sharp, other: &HashSet<NodeIndex>) -> (Vec<NodeIndex>, usize) {
+/// Each node once, those of the other side left out: they meet no face that they belong to.
+fn alone(nodes: Vec<NodeIndex>, other: &HashSet<NodeIndex>) -> Vec<NodeIndex> {
     let mut seen = HashSet::new();
-    let mut nodes = Vec::new();
-    let mut take = |list: Vec<NodeIndex>| {
-        nodes.extend(list.into_iter().filter(|node| !other.contains(node) && seen.insert(*node)));
-        nodes.len()
-    };
-    let turns = take(sharp.turns);
-    take(sharp.ends);
-    (nodes, turns)
+    nodes.into_iter().filter(|node| !other.contains(node) && seen.insert(*node)).collect()
 }
 
 fn nodes_of_slave(pair: &ContactPair) -> impl Iterator<Item = NodeIndex> + '_ {
@@ -108,58 +73,52 @@ fn nodes_of_slave(pair: &ContactPair) -> impl Iterator<Item = NodeIndex> + '_ {
     pair.elements.iter().flat_map(|element| element.nodes).chain(of_faces)
 }
 
-/// Nodes at which the master of a pair turns away sharply, or ends.
-fn sharp_of_master(pair: &ContactPair, at: impl Fn(NodeIndex) -> [f64; 3]) -> Sharp {
+/// Nodes at which the master of a pair turns away sharply.
+fn sharp_of_master(pair: &ContactPair, at: impl Fn(NodeIndex) -> [f64; 3]) -> Vec<NodeIndex> {
     match &pair.master {
         Master::SlideLine(line) => sharp_nodes(&line.nodes, -1.0, at),
         Master::Faces(MasterFaces { faces, swept: None, .. }) => sharp_in_space(faces, at),
-        Master::Faces(_) | Master::RigidSurface(_) | Master::Itself(_) => Sharp::default(),
+        Master::Faces(_) | Master::RigidSurface(_) | Master::Itself(_) => Vec::new(),
     }
 }
 
-/// Nodes at which a line of the plane ends, or turns sharply to the side of the material: to its left (1) or
+/// Nodes at which a line of the plane turns sharply to the side of the material: to its left (1) or
 /// to its right (-1).
-fn sharp_nodes(nodes: &[NodeIndex], side: f64, at: impl Fn(NodeIndex) -> [f64; 3]) -> Sharp {
-    let (Some(&first), Some(&last)) = (nodes.first(), nodes.last()) else {
-        return Sharp::default();
-    };
+fn sharp_nodes(
+    nodes: &[NodeIndex],
+    side: f64,
+    at: impl Fn(NodeIndex) -> [f64; 3],
+) -> Vec<NodeIndex> {
     let turns = |[before, here, behind]: [NodeIndex; 3]| {
         let (one, other) = (sub(at(here), at(before)), sub(at(behind), at(here)));
         let turn = side * cross(one, other)[2];
         turn > 0.0 && dot(one, other) < SHARP * size(one) * size(other)
     };
     let inner = nodes.windows(3).filter(|own| turns([own[0], own[1], own[2]])).map(|own| own[1]);
-    match first == last && nodes.len() > 2 {
-        true => {
-            let seam = turns([nodes[nodes.len() - 2], first, nodes[1]]).then_some(first);
-            Sharp { turns: inner.chain(seam).collect(), ends: Vec::new() }
+    let seam = match nodes {
+        [first, second, .., before, last] if first == last => {
+            turns([*before, *first, *second]).then_some(*first)
         }
-        false => Sharp { turns: inner.collect(), ends: vec![first, last] },
-    }
+        _ => None,
+    };
+    inner.chain(seam).collect()
 }
 
-/// Corners of faces in space about which the surface has a crease, or at which it ends.
-fn sharp_in_space(faces: &[ContactFace], at: impl Fn(NodeIndex) -> [f64; 3]) -> Sharp {
+/// Corners of faces in space about which the surface has a crease.
+fn sharp_in_space(faces: &[ContactFace], at: impl Fn(NodeIndex) -> [f64; 3]) -> Vec<NodeIndex> {
     let of_mesh =
         |face: &ContactFace| Some(MeshFace { cell: face.cell()?, nodes: face.nodes.clone() });
     let mesh: Vec<MeshFace> = faces.iter().filter_map(of_mesh).collect();
     let groups = smooth_groups(&mesh, at);
-    let (mut group_of, mut edges) = (HashMap::new(), HashMap::new());
-    let mut turns = Vec::new();
+    let (mut group_of, mut sharp) = (HashMap::new(), Vec::new());
     for (face, groups) in mesh.iter().zip(groups) {
-        let corners = face.cell.faces.len();
-        for (corner, group) in groups.into_iter().enumerate().take(corners) {
-            let (node, next) = (face.nodes[corner], face.nodes[(corner + 1) % corners]);
-            *edges.entry([node.min(next), node.max(next)]).or_insert(0) += 1;
+        for (&node, group) in face.nodes.iter().zip(groups).take(face.cell.faces.len()) {
             if *group_of.entry(node).or_insert(group) != group {
-                turns.push(node);
+                sharp.push(node);
             }
         }
     }
-    let mut ends: Vec<[NodeIndex; 2]> =
-        edges.into_iter().filter(|(_, count)| *count == 1).map(|(edge, _)| edge).collect();
-    ends.sort_unstable();
-    Sharp { turns, ends: ends.into_flattened() }
+    sharp
 }
 
 /// A master that contact over faces slides on as what nodes meet.

@@ -18,8 +18,6 @@ pub(super) struct EdgePoints {
     pub first: usize,
     /// How many they are.
     pub count: usize,
-    /// How many of them, the first, are where a surface turns: it ends at the others.
-    pub turns: usize,
     /// Of the slave: the slave node of each. Of the master: the slave node at each node of what they meet.
     pub seats: Vec<usize>,
     /// Slave nodes of the pair.

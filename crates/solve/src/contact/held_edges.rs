@@ -23,8 +23,6 @@ use std::collections::HashMap;
 /// Part of the size of a face by which an edge may stand in it beyond the mean and not be held [1]: less is
 /// what faces that bend about an edge, and meshes that do not match, come to.
 const FREE: f64 = 0.01;
-/// The same where a surface ends: the other side may lie upon what goes on beyond it [1].
-const FREE_AT_ENDS: f64 = 0.1;
 
 /// Slave nodes of a pair about an edge, with their shares [1].
 type About = [(usize, f64); 4];
@@ -46,8 +44,8 @@ impl Contact {
             true => edges.met.deforming_nodes().iter().map(seat).collect(),
         };
         let (of, of_master) = (edges.of, edges.is_of_master);
-        let (count, turns) = (edges.nodes.len(), edges.turns);
-        self.edge_points.push(EdgePoints { of, of_master, first, count, turns, seats, slaves });
+        let count = edges.nodes.len();
+        self.edge_points.push(EdgePoints { of, of_master, first, count, seats, slaves });
         self.slave_nodes.push(edges.nodes.clone());
         self.edges.push(Vec::new());
         self.spread_nodes.push(Vec::new());
@@ -135,7 +133,7 @@ impl Contact {
         }
         let Some((mean, size)) = self.mean_about(place, (own, now), before) else { return 0.0 };
         let beyond = mean - (now.opening - now.allowed);
-        let free = if place - own.first < own.turns { FREE } else { FREE_AT_ENDS } * size;
+        let free = FREE * size;
         (-mean).max(0.0) + free * (1.0 - smooth_step(0.5 * beyond / free))
     }
 

@@ -150,9 +150,7 @@ fn draw(model: &Model, note: &mut impl FnMut(Part, usize)) {
     note(Part::Contact(0), model.edge_pairs.len());
     for edges in &model.edge_pairs {
         let mut note = |number| note(Part::Contact(edges.of), number);
-        [edges.nodes.len(), edges.turns, usize::from(edges.is_of_master)]
-            .into_iter()
-            .for_each(&mut note);
+        [edges.nodes.len(), usize::from(edges.is_of_master)].into_iter().for_each(&mut note);
         let met = edges.met.deforming_nodes();
         edges.nodes.iter().chain(&met).for_each(|&node| note(node));
     }
