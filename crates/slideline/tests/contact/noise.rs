@@ -298,5 +298,5 @@ fn an_edge_that_goes_through_faces_is_told() {
         let mut own = outcome.diagnostics.iter();
         own.find(|own| own.code.0 == "SL0615").map(|own| own.message.clone())
     };
-    assert!(said(&outcome).is_some_and(|own| own.contains("increment 3")), "{outcome:?}");
+    assert!(said(&outcome).is_some_and(|own| own.contains("increment 4")), "{outcome:?}");
 }
