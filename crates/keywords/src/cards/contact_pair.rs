@@ -55,23 +55,7 @@ impl Keyword for ContactPair {
             let message = "SMALL SLIDING: sliding is finite here, of which small sliding is a part";
             draft.log.note("SL0257", message, card.span_of("SMALL SLIDING"));
         }
-        let known = &[
-            "NODE TO SURFACE",
-            "SURFACE TO SURFACE",
-            "MORTAR",
-            "LINMORTAR",
-            "PGLINMORTAR",
-            "MASSLESS",
-        ];
-        let formulation = match card.choice("TYPE", known, &mut draft.log) {
-            Some("MASSLESS") => {
-                let message = "TYPE=MASSLESS: without time in it this is hard contact at the nodes";
-                draft.log.note("SL0257", message, card.span_of("TYPE"));
-                Formulation::NodeToSurface
-            }
-            None | Some("NODE TO SURFACE") => Formulation::NodeToSurface,
-            Some(_) => Formulation::SurfaceToSurface,
-        };
+        let formulation = formulation(card, draft);
         let adjust = adjust(card, &mut draft.log);
         let default = match draft.dialect {
             Dialect::Abaqus => DEFAULT_SMOOTH,
@@ -127,6 +111,27 @@ pub(super) fn surface(line: &DataLine, at: usize, what: &str, log: &mut Log) -> 
         return None;
     };
     Some(Named { name: normalise(&field.text), span: field.span })
+}
+
+/// Where contact is sampled, by `TYPE`.
+fn formulation(card: &Reading<'_>, draft: &mut Draft) -> Formulation {
+    let known = &[
+        "NODE TO SURFACE",
+        "SURFACE TO SURFACE",
+        "MORTAR",
+        "LINMORTAR",
+        "PGLINMORTAR",
+        "MASSLESS",
+    ];
+    match card.choice("TYPE", known, &mut draft.log) {
+        Some("MASSLESS") => {
+            let message = "TYPE=MASSLESS: without time in it this is hard contact at the nodes";
+            draft.log.note("SL0257", message, card.span_of("TYPE"));
+            Formulation::NodeToSurface
+        }
+        None | Some("NODE TO SURFACE") => Formulation::NodeToSurface,
+        Some(_) => Formulation::SurfaceToSurface,
+    }
 }
 
 /// A distance, or the name of a set of nodes.
