@@ -17,6 +17,7 @@ mod plane;
 mod profile;
 mod shape;
 mod space;
+mod taper;
 mod trapezoid;
 mod walls;
 

@@ -48,7 +48,7 @@ fn edges_of(model: &Model, (of, pair): (usize, &ContactPair)) -> Vec<EdgePair> {
     if pair.formulation == Formulation::Mortar {
         let sharp = match pair.faces.is_empty() {
             true => runs(&pair.elements).iter().flat_map(|run| sharp_nodes(run, 1.0, at)).collect(),
-            false => sharp_in_space(&pair.faces, at),
+            false => pair.corners.clone(),
         };
         let nodes = alone(sharp, &of_master);
         found.push(EdgePair { of, nodes, is_of_master: false, met: as_met_by_nodes(&pair.master) });
@@ -77,7 +77,7 @@ fn nodes_of_slave(pair: &ContactPair) -> impl Iterator<Item = NodeIndex> + '_ {
 fn sharp_of_master(pair: &ContactPair, at: impl Fn(NodeIndex) -> [f64; 3]) -> Vec<NodeIndex> {
     match &pair.master {
         Master::SlideLine(line) => sharp_nodes(&line.nodes, -1.0, at),
-        Master::Faces(MasterFaces { faces, swept: None, .. }) => sharp_in_space(faces, at),
+        Master::Faces(MasterFaces { faces, swept: None, .. }) => nodes_at_creases(faces, at),
         Master::Faces(_) | Master::RigidSurface(_) | Master::Itself(_) => Vec::new(),
     }
 }
@@ -104,21 +104,26 @@ fn sharp_nodes(
     inner.chain(seam).collect()
 }
 
-/// Corners of faces in space about which the surface has a crease.
-fn sharp_in_space(faces: &[ContactFace], at: impl Fn(NodeIndex) -> [f64; 3]) -> Vec<NodeIndex> {
+/// Corners of faces in space about which the surface has a crease, each as often as faces that meet there are
+/// apart from the first ones.
+pub fn nodes_at_creases(
+    faces: &[ContactFace],
+    at: impl Fn(NodeIndex) -> [f64; 3],
+) -> Vec<NodeIndex> {
     let of_mesh =
         |face: &ContactFace| Some(MeshFace { cell: face.cell()?, nodes: face.nodes.clone() });
     let mesh: Vec<MeshFace> = faces.iter().filter_map(of_mesh).collect();
     let groups = smooth_groups(&mesh, at);
-    let (mut group_of, mut sharp) = (HashMap::new(), Vec::new());
+    let (mut first, mut seen, mut found) = (HashMap::new(), HashSet::new(), Vec::new());
     for (face, groups) in mesh.iter().zip(groups) {
         for (&node, group) in face.nodes.iter().zip(groups).take(face.cell.faces.len()) {
-            if *group_of.entry(node).or_insert(group) != group {
-                sharp.push(node);
+            let is_apart = *first.entry(node).or_insert(group) != group;
+            if is_apart && seen.insert((node, group)) {
+                found.push(node);
             }
         }
     }
-    sharp
+    found
 }
 
 /// A master that contact over faces slides on as what nodes meet.

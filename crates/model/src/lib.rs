@@ -46,6 +46,7 @@ pub use controls::{Controls, FieldControls, TimeIncrementation};
 pub use dialect::Dialect;
 pub use driven::Driven;
 pub use edge_pair::EdgePair;
+pub use edges::nodes_at_creases;
 pub use element::block::{Allowable, Beams, Element, ElementBlock, Elements, Limit, Springs};
 pub use element::element_type::{
     ElementType, Field, Kinematics, Location, Undeformed, mean_at_nodes,

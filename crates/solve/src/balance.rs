@@ -28,7 +28,9 @@ pub fn pair_rows(
         let is_closed = row.status != Status::Open;
         let was_closed = closed.get(place).is_some_and(|&closed| closed);
         rows[row.pair].closed += usize::from(is_closed);
-        rows[row.pair].changes += usize::from(is_closed != was_closed);
+        // an edge changes with the faces that meet in it
+        let counts = is_closed != was_closed && !plan.contact.is_edge(place);
+        rows[row.pair].changes += usize::from(counts);
     }
     let points = plan.contact.points.iter().zip(&state.points).enumerate();
     sums.clear();

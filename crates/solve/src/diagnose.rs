@@ -11,6 +11,7 @@
 mod case;
 mod contact;
 mod element;
+mod ends;
 mod insertable;
 mod law;
 mod limit_load;
@@ -20,7 +21,7 @@ mod structure;
 mod valley;
 
 pub use case::{Case, reason};
-pub use contact::slid_off;
+pub use ends::slid_off;
 pub use insertable::not_insertable;
 pub use structure::step_too_large;
 

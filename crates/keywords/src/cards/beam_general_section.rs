@@ -1,5 +1,7 @@
-//! `*BEAM GENERAL SECTION`: the section of beams with moduli of its own.
+//! `*BEAM GENERAL SECTION`: the section of beams with moduli of its own, of one size or from end to end of
+//! each element.
 
+use slideline_deck::DataLine;
 use slideline_mech::material::Elastic;
 use slideline_model::{Shape, ShearRule};
 
@@ -36,6 +38,7 @@ impl Keyword for BeamGeneralSection {
             Rule::required("ELSET"),
             Rule::value("POISSON"),
             Rule::value("MATERIAL"),
+            Rule::flag("TAPER"),
         ];
         RULES
     }
@@ -64,12 +67,14 @@ impl Keyword for BeamGeneralSection {
         };
         let Some(set) = card.name("ELSET") else { return };
         let poisson = poisson(card, draft);
-        let Some(line) = card.first_line("A, I11, I12, I22, J", &mut draft.log) else { return };
-        let shape = match kind {
-            GENERAL => general(line, draft).map(|shape| (shape, 1)),
-            _ => shape(kind, card.data(), draft),
+        if card.first_line("A, I11, I12, I22, J", &mut draft.log).is_none() {
+            return;
+        }
+        let found = match card.has("TAPER") {
+            true => tapered((card, kind), draft),
+            false => one_end(kind, card.data(), draft),
         };
-        let Some((shape, lines)) = shape else { return };
+        let Some((shape, lines)) = found else { return };
         draft.log.at_most_lines(card.data(), lines + 2, self.name());
         let material = card.name("MATERIAL");
         let elastic = match material {
@@ -97,8 +102,34 @@ impl Keyword for BeamGeneralSection {
     }
 }
 
+/// The section of one end, with the number of data lines that it takes.
+fn one_end(kind: &str, lines: &[DataLine], draft: &mut Draft) -> Option<(Shape, usize)> {
+    match kind {
+        GENERAL => general(lines.first()?, draft).map(|shape| (shape, 1)),
+        _ => shape(kind, lines, draft),
+    }
+}
+
+/// Those of both ends, one after the other: the even section that stands for them.
+fn tapered((card, kind): (&Reading<'_>, &str), draft: &mut Draft) -> Option<(Shape, usize)> {
+    let (first, lines) = one_end(kind, card.data(), draft)?;
+    let others = &card.data()[lines..];
+    if others.is_empty() {
+        let message = "TAPER asks for the sizes of both ends: those of the second end are missing";
+        draft.log.error("SL0208", message, card.span());
+        return None;
+    }
+    let (second, further) = one_end(kind, others, draft)?;
+    if first.points().len() != second.points().len() {
+        let message = "the sections of both ends must have the same walls";
+        draft.log.error("SL0210", message, others[0].span);
+        return None;
+    }
+    Some((Shape::tapered([&first, &second]), lines + further))
+}
+
 /// A, I11, I12, I22, J: a plane beam bends about axis 1 alone.
-fn general(line: &slideline_deck::DataLine, draft: &mut Draft) -> Option<Shape> {
+fn general(line: &DataLine, draft: &mut Draft) -> Option<Shape> {
     draft.log.at_most(line, 7);
     let area = draft.log.number(line, 0, "the area A")?;
     let second_moment = draft.log.number(line, 1, "the second moment of area I11")?;

@@ -9,7 +9,6 @@
 use std::collections::HashMap;
 
 use slideline_diag::{Code, Diagnostic};
-use slideline_mech::surface::mesh::{MeshFace, smooth_groups};
 use slideline_model::{ContactElement, ContactFace, Master, MasterFaces, NodeIndex};
 
 use super::chain::Facet;
@@ -140,25 +139,6 @@ fn sound(facets: &[Facet], pairing: &Pairing, draft: &mut Draft) -> Option<()> {
         }
     }
     Some(())
-}
-
-/// Slave nodes of a surface in space at which it turns sharply, as often as faces that meet there
-/// are apart from the first ones.
-pub(super) fn sharp_edges(faces: &[ContactFace], draft: &Draft) -> Vec<NodeIndex> {
-    let of_mesh =
-        |face: &ContactFace| Some(MeshFace { cell: face.cell()?, nodes: face.nodes.clone() });
-    let mesh: Vec<MeshFace> = faces.iter().filter_map(of_mesh).collect();
-    let groups = smooth_groups(&mesh, |node| draft.model.nodes.position(node));
-    let (mut first, mut others) = (HashMap::new(), Vec::new());
-    for (face, groups) in mesh.iter().zip(groups) {
-        for (&node, group) in face.nodes.iter().zip(groups).take(face.cell.faces.len()) {
-            let own = *first.entry(node).or_insert(group);
-            if own != group && !others.contains(&(node, group)) {
-                others.push((node, group));
-            }
-        }
-    }
-    others.into_iter().map(|(node, _)| node).collect()
 }
 
 /// Slave nodes at which the surface turns sharply.

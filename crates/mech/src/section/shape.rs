@@ -156,7 +156,7 @@ impl Shape {
     }
 
     /// That of a round section about the axis [L]; `None`: it has corners.
-    fn radius(&self) -> Option<f64> {
+    pub(super) fn radius(&self) -> Option<f64> {
         match *self {
             Self::Circle(radius) | Self::Pipe { radius, .. } => Some(radius),
             Self::Profile(ref own) => own.radius,

@@ -27,6 +27,10 @@ struct Standing {
     faces: bool,
     upper_is_slave: bool,
     friction: f64,
+    /// The card of a softened law; hard contact where it is empty.
+    law: &'static str,
+    /// How far from the axis the middle of a model of rings is.
+    radius: f64,
     /// Turn and unit of the whole model.
     turned: f64,
     unit: f64,
@@ -38,6 +42,8 @@ const STANDING: Standing = Standing {
     faces: true,
     upper_is_slave: true,
     friction: 0.0,
+    law: "",
+    radius: 0.0,
     turned: 0.0,
     unit: 1.0,
 };
@@ -49,7 +55,7 @@ fn turn([x, y]: [f64; 2], degrees: f64) -> [f64; 2] {
 
 impl Standing {
     fn at(&self, x: [f64; 2]) -> [f64; 2] {
-        turn(x, self.turned).map(|x| self.unit * x)
+        turn([x[0] + self.radius, x[1]], self.turned).map(|x| self.unit * x)
     }
 
     /// The deck, in which the upper nodes are carried along by `carry` of their undeformed places.
@@ -74,10 +80,10 @@ impl Standing {
         write!(
             deck,
             "*MATERIAL, NAME=M\n*ELASTIC\n{modulus:?}, 0.3\n*SOLID SECTION, ELSET=LOWER, MATERIAL=M\n{0:?}\n\
-             *SOLID SECTION, ELSET=UPPER, MATERIAL=M\n{0:?}\n*SURFACE INTERACTION, NAME=I\n*FRICTION\n{1:?}\n\
+             *SOLID SECTION, ELSET=UPPER, MATERIAL=M\n{0:?}\n*SURFACE INTERACTION, NAME=I\n*FRICTION\n{1:?}\n{2}\
              *CONTACT PAIR, INTERACTION=I, TYPE={kind}\n{slave}, {master}\n*BOUNDARY\nBASE, 1, 2\n\
              *STEP, NLGEOM, INC=500\n*STATIC\n{increment:?}, 1.0, , {increment:?}\n*BOUNDARY\n",
-            self.unit, self.friction
+            self.unit, self.friction, self.law
         )
         .unwrap();
         let most = if matches!(self.kind, Kind::Cpe8) { 6 } else { 3 };
@@ -197,6 +203,67 @@ fn a_block_that_lies_down_lets_its_edge_go() {
         with.balance.abs() / with.work
     });
     assert!(balances[1] < 0.02 && balances[1] < balances[0] / 10.0, "{balances:?}");
+}
+
+/// The ways to name the two sides.
+const WAYS: [(bool, bool); 4] = [(true, true), (true, false), (false, true), (false, false)];
+
+/// Requirement: an edge that is a ring is held by one force whichever side is named first; far from the axis that
+/// is the force of the plane, by the length of the ring.
+#[test]
+fn a_ring_on_its_edge_is_held_whichever_side_is_named_first() {
+    let forces = WAYS.map(|(faces, upper_is_slave)| {
+        let own = Standing { kind: Kind::Cax4, radius: 2000.0, faces, upper_is_slave, ..STANDING };
+        let ring = run(&own.pressed(), true, TangentCheck::Every);
+        assert!(ring.off < 1e-6 && ring.worst < 1e-10, "{own:?} {:e} {:e}", ring.off, ring.worst);
+        ring.curve.last().unwrap()[1]
+    });
+    let plane = run(&STANDING.pressed(), true, TangentCheck::Never).curve.last().unwrap()[1];
+    let around = 2.0 * std::f64::consts::PI * 2000.0;
+    for force in forces {
+        assert!((force - forces[0]).abs() < 1e-4 * forces[0].abs(), "{forces:?}");
+        assert!((force / around - plane).abs() < 2e-3 * plane.abs(), "{forces:?} {plane}");
+    }
+}
+
+/// Requirement: softened contact holds an edge too, softer than hard contact does, and by one force of either side where the
+/// area of the edge is the same.
+#[test]
+fn a_softened_law_holds_an_edge() {
+    let hard = run(&STANDING.pressed(), true, TangentCheck::Never).curve.last().unwrap()[1];
+    for law in [
+        "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n2.E4\n",
+        "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=EXPONENTIAL\n.002, 20.\n",
+    ] {
+        for (faces, upper_is_slave) in [(true, true), (true, false), (false, false)] {
+            let own = Standing { law, faces, upper_is_slave, ..STANDING };
+            let soft = run(&own.pressed(), true, TangentCheck::Every);
+            assert!(soft.off < 1e-6 && soft.worst < 1e-10, "{own:?} {:e}", soft.off);
+            let force = soft.curve.last().unwrap()[1];
+            assert!((force - hard).abs() < 0.1 * hard.abs(), "{own:?} {force} {hard}");
+        }
+    }
+}
+
+/// Requirement: a pair that is taken away takes its edges along, and brings them when it comes back.
+#[test]
+fn edges_leave_and_come_back_with_their_pair() {
+    for (faces, upper_is_slave) in [(true, true), (true, false), (false, false)] {
+        let own = Standing { faces, upper_is_slave, ..STANDING };
+        let pair = if upper_is_slave { "TIP, TOP" } else { "TOP, TIP" };
+        let step = |act| {
+            format!(
+                "*STEP, NLGEOM\n*STATIC\n0.5, 1.0, , 0.5\n*MODEL CHANGE, TYPE=CONTACT PAIR, {act}\n{pair}\n\
+                 *END STEP\n"
+            )
+        };
+        let deck = own.pressed() + &step("REMOVE") + &step("ADD");
+        let last = run(&deck, true, TangentCheck::Never);
+        let forces: Vec<f64> = last.curve.iter().map(|force| force[1]).collect();
+        let [.., pressed, _, away, _, back] = forces[..] else { panic!("{forces:?}") };
+        assert!(pressed < -1.0 && away.abs() < 1e-8 * pressed.abs(), "{own:?} {forces:?}");
+        assert!((back - pressed).abs() < 1e-4 * pressed.abs(), "{own:?} {forces:?}");
+    }
 }
 
 /// A block in space that stands on an edge, or on a corner, on a wider one.

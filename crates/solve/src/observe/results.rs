@@ -116,7 +116,7 @@ impl Resultant {
 pub struct PairRow {
     /// Rows of its points that are closed.
     pub closed: usize,
-    /// Rows that opened or closed in the increment.
+    /// Rows, other than those of held edges, that opened or closed in the increment.
     pub changes: usize,
     /// Deepest overclosure of a closed point [L]; zero without.
     pub penetration: f64,
