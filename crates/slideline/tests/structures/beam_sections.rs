@@ -274,3 +274,49 @@ fn an_eccentric_bar_rolled_up() {
     near(y, 2.0 * radius, 2e-5 * LENGTH);
     near(space.energy, plane.energy, 1e-7 * plane.energy);
 }
+
+/// A beam whose square section goes evenly from side 3 to side 1.5, each element with a section of its own.
+fn tapered(elements: u64, direction: &str) -> String {
+    let side = |k: u64| 3.0 - 1.5 * k as f64 / elements as f64;
+    let of = |k: u64| {
+        format!(
+            "*ELSET, ELSET=E{k}\n{k}\n*BEAM GENERAL SECTION, SECTION=RECT, ELSET=E{k}, TAPER\n\
+             {0}, {0}\n{1}, {1}\n{direction}\n{MODULUS}, {SHEAR_MODULUS}\n{SHEAR}\n",
+            side(k - 1),
+            side(k)
+        )
+    };
+    (1..=elements).map(of).collect::<String>().trim_end().to_owned()
+}
+
+/// Requirement: the deflection of a cantilever that tapers comes to the closed form with the square of the length of its
+/// elements, in the plane and in space. Source: with x from the tip, I = I2 (1 + x/L)^4 and the integral of x^2/I, which
+/// is L^3 / (3 I2 2^3). Tolerance: 1 % with eight elements.
+#[test]
+fn a_tapered_cantilever() {
+    let force = 0.001;
+    let tip_moment = 1.5_f64.powi(4) / 12.0;
+    let expected = force * LENGTH.powi(3) / (3.0 * MODULUS * tip_moment * 8.0) + force * LENGTH / K;
+    let load = format!("TIP, 2, {force}");
+    let deflections = |elements: u64| {
+        let plane = in_plane("B22", elements, &tapered(elements, "0., 0., -1."), "*STEP", &load);
+        let space = in_space("B32", elements, &tapered(elements, "1., 0., 0."), "*STEP", &load);
+        [plane, space].map(|deck| tip(&run(&deck))[1])
+    };
+    let off = |own: f64| (own / expected - 1.0).abs();
+    let (coarse, fine) = (deflections(4), deflections(8));
+    for (coarse, fine) in coarse.into_iter().zip(fine) {
+        assert!(off(fine) < 1e-2 && off(coarse) > 3.5 * off(fine), "{expected} {coarse} {fine}");
+    }
+}
+
+/// Requirement: one end alone is an error at the card, with its remedy.
+#[test]
+fn a_taper_without_its_second_end() {
+    let section = "*BEAM GENERAL SECTION, SECTION=RECT, ELSET=BEAM, MATERIAL=M, TAPER\n2., 2.";
+    let deck = in_plane("B21", 2, section, "*STEP", "TIP, 2, 0.01");
+    let read = Job::read_text("sections", &deck, &ReadOptions::default());
+    let said: Vec<_> = read.diagnostics.iter().map(|own| own.message.clone()).collect();
+    assert!(read.model.is_none());
+    assert!(said.iter().any(|own| own.contains("second end")), "{said:?}");
+}
