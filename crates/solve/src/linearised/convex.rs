@@ -30,7 +30,7 @@ const HALVINGS: usize = 40;
 /// none [1].
 const LEVEL: f64 = 1e-9;
 /// Stiffness, in that which a row feels, that holds rows in a step where nothing else holds them [1].
-pub(super) const HOLDING: f64 = 1e-7;
+pub(super) const HOLDING: f64 = 1e-8;
 /// Residual, relative to the multipliers, at which a step that does not halve it is rounding [1].
 const ROUNDED: f64 = 1e-8;
 /// Change of all pressures, relative to the largest, that ends the rounds [1].

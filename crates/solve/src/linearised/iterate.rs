@@ -23,7 +23,8 @@ const SHORTEST: f64 = 1e-3;
 
 impl LinearisedContact {
     /// Solves the condensed contact problem: by Newton with the stiffness that rows feel, with
-    /// their augmentations and without; where Newton is lost between the limits of
+    /// their augmentations and without; where Newton is lost along motions that only
+    /// contact holds with rows held in each step; between the limits of
     /// friction from the least energy for fixed limits, or among the
     /// active sets of a hard law from the set that a pivoting method finds.
     /// Says whether the laws of all rows are met.
@@ -40,6 +41,10 @@ impl LinearisedContact {
         }
         self.rows.iter_mut().for_each(|row| row.kappa = row.own);
         self.unknown.clone_from(&self.begun);
+        if self.newton(points, context, HOLDING) {
+            return true;
+        }
+        self.unknown.clone_from(&self.begun);
         self.minimise(points, context);
         self.begun.clone_from(&self.unknown);
         if self.newton(points, context, 0.0) {
@@ -50,6 +55,11 @@ impl LinearisedContact {
             return true;
         }
         std::mem::swap(&mut self.unknown, &mut self.begun);
+        self.restart(points, context)
+    }
+
+    /// Newton from settled pressures, some times over; says whether it converged.
+    fn restart(&mut self, points: &LinearPoints, context: &LawContext<'_>) -> bool {
         for restart in 0..RESTARTS {
             if !self.pivot_pressures(points, context) {
                 return false;
@@ -105,8 +115,13 @@ impl LinearisedContact {
                     *trial = q - length * step;
                 }
                 let at = (&trial[..], points);
-                if system.residual(at, context, (residual, values), None) < size {
+                let new = system.residual(at, context, (residual, values), None);
+                if new < size {
                     unknown.copy_from_slice(trial);
+                    // held, it comes nearer by the same part with every step
+                    if holding > 0.0 && rounded && new > 0.25 * size {
+                        return true;
+                    }
                     break;
                 }
                 length *= 0.5;
@@ -115,7 +130,7 @@ impl LinearisedContact {
                     return true;
                 }
                 if length < SHORTEST {
-                    return size <= ROUNDED * ROUNDED * system.largest_part(unknown);
+                    return size <= system.rounding(unknown, (context.rounding, ROUNDED));
                 }
             }
         }

@@ -33,16 +33,17 @@ impl System<'_> {
             .fold(f64::MIN_POSITIVE, f64::max)
     }
 
-    /// Largest stress that the parts of overclosures and slips would take, were they not to cancel, in
-    /// the squared norm of the residual: rounding is a part of it, however small the multipliers are.
-    pub(super) fn largest_part(&self, unknown: &[f64]) -> f64 {
+    /// What rounding leaves of the squared norm of the residual: of overclosures and slips it leaves
+    /// `rounding`, and what cancels in them leaves as much as of multipliers, `part`.
+    pub(super) fn rounding(&self, unknown: &[f64], (rounding, part): (f64, f64)) -> f64 {
         let m = self.rows.len();
-        let part = |(i, row): (usize, &Row)| {
+        let left = |(i, row): (usize, &Row)| {
             let yields = self.compliance[i * m..][..m].iter().zip(unknown);
             let yielded: f64 = yields.map(|(c, q)| (c * q).abs()).sum();
-            (row.felt * ((row.free - row.start).abs() + yielded)).powi(2) * row.weight
+            let cancels = (row.free - row.start).abs() + yielded;
+            (row.felt * (rounding + part * cancels)).powi(2) * row.weight
         };
-        self.rows.iter().enumerate().map(part).fold(f64::MIN_POSITIVE, f64::max)
+        self.rows.iter().enumerate().map(left).sum()
     }
 
     /// F = lambda - law and its squared norm, and dF/dq where it is `wanted`.
