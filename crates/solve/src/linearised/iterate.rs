@@ -77,12 +77,7 @@ impl LinearisedContact {
 
     /// Semismooth Newton with backtracking, rows held by so much in a step,
     /// [`Derivatives::holding`]; says whether it converged.
-    fn newton(
-        &mut self,
-        points: &LinearPoints,
-        context: &LawContext<'_>,
-        holding: f64,
-    ) -> bool {
+    fn newton(&mut self, points: &LinearPoints, context: &LawContext<'_>, holding: f64) -> bool {
         let m = self.rows.len();
         for vector in [&mut self.residual, &mut self.step, &mut self.trial] {
             vector.clear();
