@@ -2,7 +2,8 @@
 //!
 //! ```text
 //!    inclusions      A with B, A with C, B with C       part by part, each once
-//!    - exclusions    A with C                           and what is tied or a pair already
+//!    - exclusions    A with C                           and what is tied or a pair already: some
+//!                                                    faces of both, which still hide what is behind
 //!    x properties    A with B: OIL, B with C: DRY       the last that fits, and so where slaves
 //!                                                    begin
 //! ```
@@ -11,7 +12,7 @@ use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::Formulation;
 
 use super::loops::outlines;
-use super::meetings::{Meeting, Side, cut, outside, part, sides};
+use super::meetings::{Meeting, Parted, Side, cut, outside, part, sides};
 use super::own_contact::Alone;
 use super::skin::{Patch, Skin};
 use crate::draft::Draft;
@@ -43,11 +44,13 @@ pub(super) fn pairings(draft: &mut Draft) {
             meetings.extend(known.iter().fold(vec![meeting], outside));
         }
     }
+    let mut meetings: Vec<Parted> = meetings.into_iter().map(Parted::whole).collect();
     for two in general.exclusions.iter().chain(&elsewhere(draft)) {
         let Some(excluded) = sides(two, &skin, draft) else { continue };
         for [first, second] in excluded {
             alone.exclude(&first, &second);
-            meetings = outside(meetings, &[first, second]);
+            let by = [first, second];
+            meetings = meetings.into_iter().flat_map(|own| own.without(&by)).collect();
         }
     }
     let mut made = Made { general: &general, names: Vec::new(), count: 0 };
@@ -106,18 +109,22 @@ fn elsewhere(draft: &Draft) -> Vec<Two> {
 
 /// A meeting with the names that the last lines that fit give it: interaction and initialization;
 /// `None` without.
-type Assigned = (Option<Named>, Option<Named>, Meeting);
+type Assigned = (Option<Named>, Option<Named>, Parted);
 
 fn with_properties(
     general: &GeneralContact,
-    meetings: Vec<Meeting>,
+    meetings: Vec<Parted>,
     skin: &Skin,
     draft: &mut Draft,
 ) -> Vec<Assigned> {
-    let meetings = meetings.into_iter().map(|meeting| ((), meeting)).collect();
+    let meetings = meetings.into_iter().map(|own| (own.clone(), own.sides)).collect();
     let with = cut_by(&general.properties, meetings, skin, draft);
-    let with = with.into_iter().map(|((), interaction, meeting)| (interaction, meeting)).collect();
-    cut_by(&general.initializations, with, skin, draft)
+    let with = with.into_iter().map(|(own, interaction, sides)| ((own, interaction), sides));
+    let with = cut_by(&general.initializations, with.collect(), skin, draft);
+    let assigned = with
+        .into_iter()
+        .map(|((own, interaction), data, sides)| (interaction, data, own.cut_to(sides)));
+    assigned.collect()
 }
 
 /// Meetings cut by the lines that fit them, the last line first; each with what it had and with the
@@ -183,11 +190,12 @@ impl Made<'_> {
     fn pair(
         &mut self,
         (interaction, adjust): (Option<Named>, Option<(Adjusted, Span)>),
-        meeting: Meeting,
+        meeting: Parted,
         skin: &Skin,
         draft: &mut Draft,
     ) {
-        let ([slave, master], why) = roles(meeting, skin, draft);
+        let (turned, why) = roles(&meeting.sides, skin, draft);
+        let ([slave, master], left_out) = meeting.between(turned, skin);
         let masters = match &master {
             Side::Faces(patch) if !draft.model.is_in_space() => {
                 outlines(patch, skin).into_iter().map(Side::Faces).collect()
@@ -204,7 +212,7 @@ impl Made<'_> {
             self.count += 1;
             let names = (slave.clone(), master);
             let own = self.pairing(names, (interaction.clone(), adjust.clone()), draft);
-            draft.pairings.push(own);
+            draft.pairings.push(Pairing { left_out: left_out.clone(), ..own });
         }
     }
 
@@ -240,6 +248,7 @@ impl Made<'_> {
             no_thickness: true,
             is_tied: false,
             axes: [None, None],
+            left_out: Vec::new(),
             alone: false,
             origin: self.general.origin,
         }
@@ -289,18 +298,18 @@ fn stretch(face: &super::faces::SolidFace, span: Span, draft: &Draft) -> Stretch
     Stretch { elements, span, side: None, face: face.face }
 }
 
-/// Slave and master, and why.
-fn roles([first, second]: Meeting, skin: &Skin, draft: &Draft) -> (Meeting, &'static str) {
-    let (on_a, on_b) = match (&first, &second) {
-        (Side::Analytical(_), _) => return ([second, first], "which is analytical"),
-        (_, Side::Analytical(_)) => return ([first, second], "which is analytical"),
+/// Whether the second side is the slave, and why.
+fn roles([first, second]: &Meeting, skin: &Skin, draft: &Draft) -> (bool, &'static str) {
+    let (on_a, on_b) = match (first, second) {
+        (Side::Analytical(_), _) => return (true, "which is analytical"),
+        (_, Side::Analytical(_)) => return (false, "which is analytical"),
         (Side::Faces(a), Side::Faces(b)) => (a, b),
     };
     let (Some(a), Some(b)) = (part(on_a, skin), part(on_b, skin)) else {
-        return ([first, second], "as they come");
+        return (false, "as they come");
     };
     let (a, b) = (&skin.parts[a], &skin.parts[b]);
-    let (turned, why) = match (a.body.is_some(), b.body.is_some()) {
+    match (a.body.is_some(), b.body.is_some()) {
         (true, false) => (true, "which is rigid"),
         (false, true) => (false, "which is rigid"),
         _ if a.stiffness > STIFFER * b.stiffness => (true, "which is stiffer"),
@@ -309,6 +318,5 @@ fn roles([first, second]: Meeting, skin: &Skin, draft: &Draft) -> (Meeting, &'st
             let [own, other] = [on_a, on_b].map(|patch| skin.spacing(patch, draft));
             (other < own * (1.0 - SAME), "whose mesh is no finer")
         }
-    };
-    (if turned { [second, first] } else { [first, second] }, why)
+    }
 }

@@ -128,6 +128,9 @@ impl Contact {
     ) -> Option<f64> {
         let (mut room, everywhere) = (FaceRoom::default(), &Outlook::EVERYWHERE);
         let place = self.face_at(point, (at, None, None), everywhere, positions, &mut room)?;
+        if self.leaves_out(point, place.face) {
+            return None;
+        }
         let placed = self.placed_faces(point.pair, positions)?;
         let own = FacePoint::new(placed.mesh, placed.positions, (place, at), None, &mut room)?;
         Some(-own.gap().gap)
@@ -166,7 +169,8 @@ impl Contact {
         let known = self.outlook(point, u);
         let outlook = Outlook::of(&known);
         let facing = self.face_at(point, (at, None, held), outlook, positions, room);
-        let found = facing.and_then(|facing| {
+        let met = facing.filter(|facing| !self.leaves_out(point, facing.face));
+        let found = met.and_then(|facing| {
             let placed = self.placed_faces(point.pair, positions)?;
             let faces = (placed.mesh, placed.positions);
             let own = FacePoint::new(faces.0, faces.1, (facing, at), footing, room)?;

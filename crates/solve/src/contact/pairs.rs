@@ -2,6 +2,7 @@
 
 use super::edge_points::EdgePoints;
 use super::laws::state_size;
+use super::left_out::Apart;
 use super::master::MasterSurface;
 use super::mortar::slave::Mortar;
 use super::mortar_faces::slave::FaceMortar;
@@ -108,6 +109,8 @@ pub struct Contact {
     /// Tangential directions of a point: one in the plane.
     pub directions: usize,
     pub(super) masters: Vec<MasterSurface>,
+    /// What of the sides of pairs does not meet, a list a pair, those of edges behind.
+    pub(super) apart: Vec<Vec<Apart>>,
     /// How far the surfaces stand off the lines of beams, a pair each.
     pub(super) offsets: Vec<Offset>,
     /// Faces of the slave surfaces of contact at nodes.
