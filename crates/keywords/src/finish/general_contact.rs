@@ -8,11 +8,13 @@
 //!                                                    begin
 //! ```
 
+use std::collections::HashSet;
+
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::Formulation;
 
 use super::loops::outlines;
-use super::meetings::{Meeting, Parted, Side, cut, outside, part, sides};
+use super::meetings::{Meeting, Parted, Side, outside, part, sides};
 use super::own_contact::Alone;
 use super::skin::{Patch, Skin};
 use crate::draft::Draft;
@@ -53,7 +55,7 @@ pub(super) fn pairings(draft: &mut Draft) {
             meetings = meetings.into_iter().flat_map(|own| own.without(&by)).collect();
         }
     }
-    let mut made = Made { general: &general, names: Vec::new(), count: 0 };
+    let mut made = Made { general: &general, names: Vec::new(), pairs: HashSet::new(), count: 0 };
     for (interaction, data, meeting) in with_properties(&general, meetings, &skin, draft) {
         let adjust = data.and_then(|named| initialization(&named, draft));
         made.pair((interaction, adjust), meeting, &skin, draft);
@@ -117,24 +119,20 @@ fn with_properties(
     skin: &Skin,
     draft: &mut Draft,
 ) -> Vec<Assigned> {
-    let meetings = meetings.into_iter().map(|own| (own.clone(), own.sides)).collect();
+    let meetings = meetings.into_iter().map(|own| ((), own)).collect();
     let with = cut_by(&general.properties, meetings, skin, draft);
-    let with = with.into_iter().map(|(own, interaction, sides)| ((own, interaction), sides));
-    let with = cut_by(&general.initializations, with.collect(), skin, draft);
-    let assigned = with
-        .into_iter()
-        .map(|((own, interaction), data, sides)| (interaction, data, own.cut_to(sides)));
-    assigned.collect()
+    let with = with.into_iter().map(|((), interaction, meeting)| (interaction, meeting)).collect();
+    cut_by(&general.initializations, with, skin, draft)
 }
 
 /// Meetings cut by the lines that fit them, the last line first; each with what it had and with the
 /// name of its line.
 fn cut_by<K: Clone>(
     lines: &[(Two, Named)],
-    meetings: Vec<(K, Meeting)>,
+    meetings: Vec<(K, Parted)>,
     skin: &Skin,
     draft: &mut Draft,
-) -> Vec<(K, Option<Named>, Meeting)> {
+) -> Vec<(K, Option<Named>, Parted)> {
     let (mut found, mut left) = (Vec::new(), meetings);
     for (two, named) in lines.iter().rev() {
         let everywhere = two.first.is_none() && two.second.is_none();
@@ -147,7 +145,7 @@ fn cut_by<K: Clone>(
             for by in [by, turned] {
                 let mut rest = Vec::new();
                 for (own, meeting) in left {
-                    let (inside, others) = cut(&meeting, &by);
+                    let (inside, others) = meeting.cut(&by);
                     let inside = inside.map(|inside| (own.clone(), Some(named.clone()), inside));
                     found.extend(inside);
                     rest.extend(others.into_iter().map(|other| (own.clone(), other)));
@@ -182,6 +180,8 @@ fn initialization(named: &Named, draft: &mut Draft) -> Option<(Adjusted, Span)> 
 struct Made<'a> {
     general: &'a GeneralContact,
     names: Vec<(Side, String)>,
+    /// Names of slave and master of the pairs between parts.
+    pairs: HashSet<[String; 2]>,
     count: usize,
 }
 
@@ -194,7 +194,7 @@ impl Made<'_> {
         skin: &Skin,
         draft: &mut Draft,
     ) {
-        let (turned, why) = roles(&meeting.sides, skin, draft);
+        let (turned, why) = roles(&meeting.whole, skin, draft);
         let ([slave, master], left_out) = meeting.between(turned, skin);
         let masters = match &master {
             Side::Faces(patch) if !draft.model.is_in_space() => {
@@ -203,9 +203,15 @@ impl Made<'_> {
             _ => vec![master],
         };
         let interaction = interaction.unwrap_or_else(|| self.plain(draft));
-        let slave = self.surface(slave, skin, draft);
+        let known = self.surface(slave.clone(), skin, draft);
         for master in masters {
             let master = self.surface(master, skin, draft);
+            // lines of properties give the same slaves and the same whole master more than once
+            let is_new = self.pairs.insert([known.name.clone(), master.name.clone()]);
+            let slave = match &slave {
+                Side::Faces(patch) if !is_new => self.another(patch, skin, draft),
+                _ => known.clone(),
+            };
             let message = format!("general contact: {} on {}, {why}", slave.name, master.name);
             let note = Diagnostic::note(Code("SL0395"), message).at(self.general.origin);
             draft.log.push(note);
@@ -275,6 +281,14 @@ impl Made<'_> {
         if let Some((_, name)) = self.names.iter().find(|(known, _)| *known == side) {
             return Named { name: name.clone(), span };
         }
+        let named = self.another(patch, skin, draft);
+        self.names.push((side, named.name.clone()));
+        named
+    }
+
+    /// A surface of these faces with a name of its own.
+    fn another(&self, patch: &Patch, skin: &Skin, draft: &mut Draft) -> Named {
+        let span = self.general.origin;
         let own = part(patch, skin).map_or("", |part| skin.parts[part].name.as_str());
         let taken =
             |name: &str| draft.named_surfaces.iter().any(|surface| surface.named.name == name);
@@ -288,7 +302,6 @@ impl Made<'_> {
         let extent = Extent::Elements(stretches);
         let surface = NamedSurface { named: named.clone(), extent, areas: None, origin: span };
         draft.named_surfaces.push(surface);
-        self.names.push((side, name));
         named
     }
 }

@@ -80,7 +80,7 @@ fn split(own: &Side, by: &Side) -> (Option<Side>, Option<Side>) {
 }
 
 /// What of a meeting is in another one, in its order, and what is not.
-pub(super) fn cut(meeting: &Meeting, by: &Meeting) -> (Option<Meeting>, Vec<Meeting>) {
+fn cut(meeting: &Meeting, by: &Meeting) -> (Option<Meeting>, Vec<Meeting>) {
     let (first, first_left) = split(&meeting[0], &by[0]);
     let (second, second_left) = split(&meeting[1], &by[1]);
     let (Some(first), Some(second)) = (first, second) else {
@@ -107,7 +107,7 @@ pub(super) struct Parted {
     pub sides: Meeting,
     /// The sides before lines with other properties took some of their faces: as masters they
     /// are whole.
-    whole: Meeting,
+    pub whole: Meeting,
     /// What of them does not meet, in their order.
     left_out: Vec<Meeting>,
 }
@@ -118,9 +118,13 @@ impl Parted {
         Self { whole: sides.clone(), sides, left_out: Vec::new() }
     }
 
-    /// It with these faces of both sides alone.
-    pub fn cut_to(self, sides: Meeting) -> Self {
-        Self { sides, ..self }
+    /// What of it is in a meeting, in its order, and what is not, which does not meet the first.
+    pub fn cut(self, by: &Meeting) -> (Option<Self>, Vec<Self>) {
+        let (inside, others) = cut(&self.sides, by);
+        let mut rest = self.clone();
+        rest.left_out.extend(inside.clone());
+        let others = others.into_iter().map(|sides| Self { sides, ..rest.clone() }).collect();
+        (inside.map(|sides| Self { sides, ..self }), others)
     }
 
     /// What is left of it where another one does not meet.
