@@ -140,10 +140,7 @@ impl Contact {
         positions: &MasterPositions,
     ) -> Option<f64> {
         let (mut room, everywhere) = (FaceRoom::default(), &Outlook::EVERYWHERE);
-        let place = self.face_at(point, (at, None, None), everywhere, positions, &mut room)?;
-        if self.leaves_out(point, place.face) {
-            return None;
-        }
+        let place = self.face_met(point, (at, None), everywhere, positions, &mut room)?;
         let placed = self.placed_faces(point.pair, positions)?;
         let own = FacePoint::new(placed.mesh, placed.positions, (place, at), None, &mut room)?;
         Some(-own.gap().gap)
