@@ -40,7 +40,7 @@ pub fn motion(
         return (held && bodies.is_flexible(body)).then(|| still(model, body));
     };
     let of = |dof| find(step, driver, dof).map_or(0.0, now);
-    let [x, y] = in_plane(model, driver, [of(Dof::U1), of(Dof::U2)]);
+    let [x, y, _] = in_plane(model, driver, (of(Dof::U1), of(Dof::U2)));
     let moved = Body { reference: model.nodes.position(driver), dofs: [x, y, of(Dof::UR3)] };
     let agrees = own().all(|p| {
         let at = model.nodes.position(p.node);
@@ -58,9 +58,9 @@ pub fn motion(
 }
 
 /// Displacements along the axes of a node in the plane as those along the axes of the model [L].
-pub fn in_plane(model: &Model, node: NodeIndex, [first, second]: [f64; 2]) -> [f64; 2] {
+pub fn in_plane(model: &Model, node: NodeIndex, (first, second): (f64, f64)) -> [f64; 3] {
     let axes = model.axes_of(node).unwrap_or(PLAIN);
-    [0, 1].map(|k| first * axes[0][k] + second * axes[1][k])
+    [0, 1, 2].map(|k| first * axes[0][k] + second * axes[1][k])
 }
 
 fn still(model: &Model, node: NodeIndex) -> Body {

@@ -92,7 +92,7 @@ impl<'a> Start<'a> {
         let at = self.model.nodes.position(driver);
         let (sin, cos) = value(Dof::UR3).sin_cos();
         let arm = [point[0] - at[0], point[1] - at[1]];
-        let [x, y] = in_plane(self.model, driver, [Dof::U1, Dof::U2].map(value));
+        let [x, y, _] = in_plane(self.model, driver, (value(Dof::U1), value(Dof::U2)));
         [x + (cos - 1.0) * arm[0] - sin * arm[1], y + sin * arm[0] + (cos - 1.0) * arm[1], 0.0]
     }
 

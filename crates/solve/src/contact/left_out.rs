@@ -11,23 +11,10 @@
 
 use super::facing::Facing;
 use super::mortar::curves::curves;
-use super::mortar::slave::{Control, Mortar};
-use super::pairs::{Contact, SlavePoint};
+use super::mortar::slave::{ApartFaces, Control, Mortar};
+use super::pairs::{Apart, Contact, SlavePoint};
 use slideline_mech::contact::search::chain::PieceKind;
 use slideline_model::{FacesByNodes, LeftOut, Master, Model, NodeIndex};
-use std::collections::HashSet;
-
-/// What of a pair does not meet.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Apart {
-    /// Nodes of the slave.
-    nodes: HashSet<NodeIndex>,
-    /// Parts of the master, or its faces, that these do not meet; those behind the last one are met.
-    parts: Vec<bool>,
-}
-
-/// Faces of the slave, and curves of the master that these do not meet.
-pub type ApartFaces = [Vec<bool>; 2];
 
 impl Contact {
     /// Notes what of the pairs, and of their edges, does not meet.

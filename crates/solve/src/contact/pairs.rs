@@ -2,7 +2,6 @@
 
 use super::edge_points::EdgePoints;
 use super::laws::state_size;
-use super::left_out::Apart;
 use super::master::MasterSurface;
 use super::mortar::slave::Mortar;
 use super::mortar_faces::slave::FaceMortar;
@@ -15,6 +14,7 @@ use slideline_mech::contact::friction::FrictionLaw;
 use slideline_mech::contact::gap::offset::Offset;
 use slideline_mech::contact::pair::Laws;
 use slideline_model::{Allowed, Amplitude, ContactPair, Formulation, Model, NodeIndex};
+use std::collections::HashSet;
 use std::ops::Range;
 
 /// What is allowed of overclosure at the points of a pair.
@@ -32,6 +32,15 @@ pub(super) struct Allowance {
     pub now: f64,
     /// How they change over the step; without one straight to zero.
     pub amplitude: Option<Amplitude>,
+}
+
+/// What of a pair does not meet.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Apart {
+    /// Nodes of the slave.
+    pub nodes: HashSet<NodeIndex>,
+    /// Parts of the master, or its faces, that these do not meet; those behind the last one are met.
+    pub parts: Vec<bool>,
 }
 
 /// A slave point.

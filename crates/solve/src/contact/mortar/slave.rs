@@ -1,6 +1,5 @@
 //! The faces of a slave surface, and how control points follow nodes.
 
-use super::super::left_out::ApartFaces;
 use crate::dofs::{DofMap, Translations};
 use slideline_mech::contact::pair::Body;
 use slideline_mech::contact::pair::mortar::Reference;
@@ -52,6 +51,9 @@ impl Control {
         [[-y, x, 0.0], [-x, -y, 0.0]]
     }
 }
+
+/// Faces of the slave, and curves of the master that these do not meet.
+pub type ApartFaces = [Vec<bool>; 2];
 
 /// A slave face.
 #[derive(Clone, Debug)]
