@@ -7,7 +7,9 @@
 //! Deflections are left out: a flexible body goes with its supports.
 
 use crate::bodies::Bodies;
+use slideline_mech::axes::PLAIN;
 use slideline_mech::contact::pair::Body;
+use slideline_mech::vector::{dot, sub};
 use slideline_model::{Dof, Model, NodeIndex, Prescribed, Step};
 
 /// The rigid motion of the body of `node` when `fraction` of a step has
@@ -38,21 +40,27 @@ pub fn motion(
         return (held && bodies.is_flexible(body)).then(|| still(model, body));
     };
     let of = |dof| find(step, driver, dof).map_or(0.0, now);
-    let moved = Body {
-        reference: model.nodes.position(driver),
-        dofs: [of(Dof::U1), of(Dof::U2), of(Dof::UR3)],
-    };
+    let [x, y, _] = in_plane(model, driver, (of(Dof::U1), of(Dof::U2)));
+    let moved = Body { reference: model.nodes.position(driver), dofs: [x, y, of(Dof::UR3)] };
     let agrees = own().all(|p| {
         let at = model.nodes.position(p.node);
         let to = moved.to_space(at);
+        let axes = model.axes_of(p.node).unwrap_or(PLAIN);
+        let along = |axis: usize| dot(axes[axis], sub(to, at));
         let (expected, size) = match p.dof {
-            Dof::U1 => (to[0] - at[0], moved.dofs[0].abs().max(moved.dofs[1].abs())),
-            Dof::U2 => (to[1] - at[1], moved.dofs[0].abs().max(moved.dofs[1].abs())),
+            Dof::U1 => (along(0), x.abs().max(y.abs())),
+            Dof::U2 => (along(1), x.abs().max(y.abs())),
             _ => (moved.dofs[2], moved.dofs[2].abs()),
         };
         (now(p) - expected).abs() <= 1e-6 * size || p.dof.is_rotation() && p.node != driver
     });
     agrees.then_some(moved)
+}
+
+/// Displacements along the axes of a node in the plane as those along the axes of the model [L].
+pub fn in_plane(model: &Model, node: NodeIndex, (first, second): (f64, f64)) -> [f64; 3] {
+    let axes = model.axes_of(node).unwrap_or(PLAIN);
+    [0, 1, 2].map(|k| first * axes[0][k] + second * axes[1][k])
 }
 
 fn still(model: &Model, node: NodeIndex) -> Body {

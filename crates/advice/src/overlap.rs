@@ -182,7 +182,9 @@ fn pairs(start: &Start<'_>, findings: &mut Vec<Finding>) {
                     _ => false,
                 }
         };
-        let same = all[..place].iter().find(|a| same_shape(a) && same_slaves(a));
+        let same = all[..place]
+            .iter()
+            .find(|a| same_shape(a) && same_slaves(a) && a.left_out == b.left_out);
         if let Some(a) = same {
             let message = format!(
                 "contact pairs {} and {} have the same slaves and masters of the same shape at the \

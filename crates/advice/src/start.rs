@@ -7,6 +7,7 @@
 
 use crate::bodies::Bodies;
 use crate::moments::Rehearsal;
+use crate::motion::in_plane;
 use slideline_model::{
     ContactPair, Dof, Master, MasterFaces, Model, NodeIndex, Prescribed, Presence, ProfilePoint,
     Step, SurfaceSegment,
@@ -91,11 +92,8 @@ impl<'a> Start<'a> {
         let at = self.model.nodes.position(driver);
         let (sin, cos) = value(Dof::UR3).sin_cos();
         let arm = [point[0] - at[0], point[1] - at[1]];
-        [
-            value(Dof::U1) + (cos - 1.0) * arm[0] - sin * arm[1],
-            value(Dof::U2) + sin * arm[0] + (cos - 1.0) * arm[1],
-            0.0,
-        ]
+        let [x, y, _] = in_plane(self.model, driver, (value(Dof::U1), value(Dof::U2)));
+        [x + (cos - 1.0) * arm[0] - sin * arm[1], y + sin * arm[0] + (cos - 1.0) * arm[1], 0.0]
     }
 
     /// The value of largest magnitude that a prescribed motion takes.

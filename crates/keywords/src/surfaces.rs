@@ -10,7 +10,8 @@
 
 use slideline_diag::Span;
 use slideline_model::{
-    Formulation, Friction, Interaction, NodeIndex, NormalLaw, ProfilePoint, SurfaceSegment, Sweep,
+    Formulation, Friction, Interaction, LeftOut, NodeIndex, NormalLaw, ProfilePoint,
+    SurfaceSegment, Sweep,
 };
 
 use crate::log::Target;
@@ -148,6 +149,8 @@ pub(crate) struct Pairing {
     pub is_tied: bool,
     /// Axes of the slave and of the master, by name.
     pub axes: [Option<(String, Span)>; 2],
+    /// Faces of both sides that do not meet one another.
+    pub left_out: Vec<LeftOut>,
     /// The data line.
     pub origin: Span,
 }

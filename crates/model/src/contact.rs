@@ -1,6 +1,7 @@
 //! Contact pairs: which points meet which master, under which laws.
 
 use crate::friction::Friction;
+use crate::left_out::LeftOut;
 use crate::node::NodeIndex;
 use crate::surface::{ContactFace, Master, RigidSurface};
 use crate::vocabulary::Vocabulary;
@@ -47,6 +48,8 @@ pub struct ContactPair {
     /// Axes of the slave surface and of the master, where they are given: those of two coefficients
     /// of friction.
     pub axes: [Option<Orientation>; 2],
+    /// Faces of both sides that do not meet one another.
+    pub left_out: Vec<LeftOut>,
     /// The card that made the pair.
     pub origin: Span,
 }

@@ -1,6 +1,7 @@
 //! Nodes of sharp edges, and the side of a pair that they meet.
 
 use crate::contact::ContactPair;
+use crate::left_out::LeftOut;
 use crate::node::NodeIndex;
 use crate::surface::{ContactFace, Master};
 
@@ -15,6 +16,8 @@ pub struct EdgePair {
     pub is_of_master: bool,
     /// What they meet, as nodes meet it.
     pub met: Master,
+    /// Faces of both sides that do not meet one another; the slave's are those about the nodes.
+    pub left_out: Vec<LeftOut>,
 }
 
 impl EdgePair {

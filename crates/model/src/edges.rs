@@ -13,6 +13,7 @@
 
 use crate::contact::{ContactElement, ContactPair, Formulation, Offset};
 use crate::edge_pair::EdgePair;
+use crate::left_out::LeftOut;
 use crate::model::Model;
 use crate::node::NodeIndex;
 use crate::surface::{ContactFace, Master, MasterFaces, SlideLine};
@@ -51,12 +52,14 @@ fn edges_of(model: &Model, (of, pair): (usize, &ContactPair)) -> Vec<EdgePair> {
             false => pair.corners.clone(),
         };
         let nodes = alone(sharp, &of_master);
-        found.push(EdgePair { of, nodes, is_of_master: false, met: as_met_by_nodes(&pair.master) });
+        let (met, left_out) = (as_met_by_nodes(&pair.master), pair.left_out.clone());
+        found.push(EdgePair { of, nodes, is_of_master: false, met, left_out });
     }
     let sharp = alone(sharp_of_master(pair, at), &of_slave);
     for met in surfaces_of_slave(pair, &sharp, at) {
         let nodes = sharp.clone();
-        found.push(EdgePair { of, nodes, is_of_master: true, met });
+        let left_out = pair.left_out.iter().map(LeftOut::turned).collect();
+        found.push(EdgePair { of, nodes, is_of_master: true, met, left_out });
     }
     found.retain(|own| !own.nodes.is_empty());
     found

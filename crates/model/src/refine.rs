@@ -274,7 +274,27 @@ impl Halving {
                 into.extension *= 2.0; // a fraction of an end segment that is half as long
             }
         }
+        self.halve_left_out(place);
         Ok(())
+    }
+
+    /// Halves the faces of a pair that do not meet one another.
+    fn halve_left_out(&mut self, place: usize) {
+        let middles = &self.middles;
+        let halve = |faces: &mut Vec<Vec<NodeIndex>>| {
+            let halves = |face: Vec<NodeIndex>| match face[..] {
+                [a, b] => match middles.get(&edge([a, b])) {
+                    Some(&middle) => vec![vec![a, middle], vec![middle, b]],
+                    None => vec![face],
+                },
+                _ => vec![face],
+            };
+            *faces = std::mem::take(faces).into_iter().flat_map(halves).collect();
+        };
+        for own in &mut self.model.contact_pairs[place].left_out {
+            halve(&mut own.slave);
+            halve(&mut own.master);
+        }
     }
 
     /// The node between the ends of an edge of a chain: that of the beam

@@ -5,9 +5,10 @@ use crate::echo::{friction_law, normal_law};
 use crate::json::{Value, json};
 use crate::ledger::onset_word;
 use crate::number::general;
+use slideline_mech::axes::PLAIN;
 use slideline_model::{
-    Controls, Dialect, Dof, FieldControls, Friction, Kinematics, Master, Model, NodeIndex, Onset,
-    Section, Step, StickRule, TimeIncrementation,
+    Controls, Dialect, Dof, Driven, FieldControls, Friction, Kinematics, Master, Model, NodeIndex,
+    Onset, Section, Step, StickRule, TimeIncrementation,
 };
 use std::collections::HashSet;
 
@@ -15,7 +16,7 @@ use std::collections::HashSet;
 ///
 /// | member | content |
 /// |---|---|
-/// | `driven` | `[{"node","name","nodes":[..],"motion","reaction"}]`: prescribed motions that move |
+/// | `driven` | `[{"node","name","nodes":[..],"motion","reaction","along"}]`: prescribed motions that move; `along`, a direction a node, where nodes have axes of their own |
 /// | `loaded` | `[{"node","name","motion"}]`: loads |
 /// | `supports` | `[{"node","dofs":[..]}]`: what is held throughout |
 /// | `sections` | `[{"height","elements":[first,last,..]}]`: heights of beam sections |
@@ -26,13 +27,17 @@ pub(crate) fn model_object(model: &Model) -> Value {
     let driven = model.driven().into_iter().map(|own| {
         let nodes: Vec<u64> = own.nodes.iter().map(|&node| model.nodes.label(node)).collect();
         let (motion, reaction) = (own.dof.name(), own.dof.reaction_name());
-        json!({
+        let mut said = json!({
             "node": nodes.first(),
             "name": own.name,
             "nodes": nodes,
             "motion": motion,
             "reaction": reaction,
-        })
+        });
+        if let Some(along) = own_axes(model, &own) {
+            said["along"] = json!(along);
+        }
+        said
     });
     let loaded = loaded(model).into_iter().map(|(dof, nodes)| {
         let node = nodes.first().map(|&node| model.nodes.label(node));
@@ -47,6 +52,17 @@ pub(crate) fn model_object(model: &Model) -> Value {
         "instances": instances(model),
         "settings": settings(model),
     })
+}
+
+/// The directions of a motion, a node each, where one of its nodes has axes of its own [1].
+fn own_axes(model: &Model, driven: &Driven) -> Option<Vec<[f64; 3]>> {
+    if driven.dof.is_rotation() && !model.is_in_space() {
+        return None;
+    }
+    let axis = driven.dof as usize % 3;
+    let has_own = driven.nodes.iter().any(|&node| model.axes_of(node).is_some());
+    let of = |&node: &NodeIndex| model.axes_of(node).unwrap_or(PLAIN)[axis];
+    has_own.then(|| driven.nodes.iter().map(of).collect())
 }
 
 /// Instances of parts, and what their numbers are raised by.

@@ -25,6 +25,7 @@ mod idle;
 mod interference;
 mod kinematics;
 mod laws;
+mod left_out;
 mod master;
 mod mortar;
 mod mortar_faces;

@@ -192,6 +192,7 @@ mod tests {
             of_solids: false,
             adjust: slideline_model::Adjust::Nothing,
             axes: [None; 2],
+            left_out: Vec::new(),
             corners: Vec::new(),
             offset: slideline_model::Offset::NONE,
             slaves: Vec::new(),

@@ -94,6 +94,7 @@ impl Keyword for ContactPair {
                 no_thickness: card.has("NO THICKNESS"),
                 is_tied: card.has("TIED"),
                 axes: [2, 3].map(|at| line.field(at).map(|own| (normalise(&own.text), own.span))),
+                left_out: Vec::new(),
                 origin: line.span,
             });
         }

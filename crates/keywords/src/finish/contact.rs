@@ -127,6 +127,7 @@ fn pair(surface: &Surface, strayed: bool, in_pair: &mut Numbered<usize, Span>, d
             vocabulary: Vocabulary::Elements,
             adjust: slideline_model::Adjust::Nothing,
             axes: [None; 2],
+            left_out: Vec::new(),
             corners: Vec::new(),
             profile: None,
             offset: Offset::NONE,

@@ -2,16 +2,19 @@
 //!
 //! ```text
 //!    inclusions      A with B, A with C, B with C       part by part, each once
-//!    - exclusions    A with C                           and what is tied or a pair already
+//!    - exclusions    A with C                           and what is tied or a pair already: some
+//!                                                    faces of both, which still hide what is behind
 //!    x properties    A with B: OIL, B with C: DRY       the last that fits, and so where slaves
 //!                                                    begin
 //! ```
+
+use std::collections::HashSet;
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::Formulation;
 
 use super::loops::outlines;
-use super::meetings::{Meeting, Side, cut, outside, part, sides};
+use super::meetings::{Meeting, Parted, Side, outside, part, sides};
 use super::own_contact::Alone;
 use super::skin::{Patch, Skin};
 use crate::draft::Draft;
@@ -43,14 +46,16 @@ pub(super) fn pairings(draft: &mut Draft) {
             meetings.extend(known.iter().fold(vec![meeting], outside));
         }
     }
+    let mut meetings: Vec<Parted> = meetings.into_iter().map(Parted::whole).collect();
     for two in general.exclusions.iter().chain(&elsewhere(draft)) {
         let Some(excluded) = sides(two, &skin, draft) else { continue };
         for [first, second] in excluded {
             alone.exclude(&first, &second);
-            meetings = outside(meetings, &[first, second]);
+            let by = [first, second];
+            meetings = meetings.into_iter().flat_map(|own| own.without(&by)).collect();
         }
     }
-    let mut made = Made { general: &general, names: Vec::new(), count: 0 };
+    let mut made = Made { general: &general, names: Vec::new(), pairs: HashSet::new(), count: 0 };
     for (interaction, data, meeting) in with_properties(&general, meetings, &skin, draft) {
         let adjust = data.and_then(|named| initialization(&named, draft));
         made.pair((interaction, adjust), meeting, &skin, draft);
@@ -106,15 +111,15 @@ fn elsewhere(draft: &Draft) -> Vec<Two> {
 
 /// A meeting with the names that the last lines that fit give it: interaction and initialization;
 /// `None` without.
-type Assigned = (Option<Named>, Option<Named>, Meeting);
+type Assigned = (Option<Named>, Option<Named>, Parted);
 
 fn with_properties(
     general: &GeneralContact,
-    meetings: Vec<Meeting>,
+    meetings: Vec<Parted>,
     skin: &Skin,
     draft: &mut Draft,
 ) -> Vec<Assigned> {
-    let meetings = meetings.into_iter().map(|meeting| ((), meeting)).collect();
+    let meetings = meetings.into_iter().map(|own| ((), own)).collect();
     let with = cut_by(&general.properties, meetings, skin, draft);
     let with = with.into_iter().map(|((), interaction, meeting)| (interaction, meeting)).collect();
     cut_by(&general.initializations, with, skin, draft)
@@ -124,10 +129,10 @@ fn with_properties(
 /// name of its line.
 fn cut_by<K: Clone>(
     lines: &[(Two, Named)],
-    meetings: Vec<(K, Meeting)>,
+    meetings: Vec<(K, Parted)>,
     skin: &Skin,
     draft: &mut Draft,
-) -> Vec<(K, Option<Named>, Meeting)> {
+) -> Vec<(K, Option<Named>, Parted)> {
     let (mut found, mut left) = (Vec::new(), meetings);
     for (two, named) in lines.iter().rev() {
         let everywhere = two.first.is_none() && two.second.is_none();
@@ -140,7 +145,7 @@ fn cut_by<K: Clone>(
             for by in [by, turned] {
                 let mut rest = Vec::new();
                 for (own, meeting) in left {
-                    let (inside, others) = cut(&meeting, &by);
+                    let (inside, others) = meeting.cut(&by);
                     let inside = inside.map(|inside| (own.clone(), Some(named.clone()), inside));
                     found.extend(inside);
                     rest.extend(others.into_iter().map(|other| (own.clone(), other)));
@@ -175,6 +180,8 @@ fn initialization(named: &Named, draft: &mut Draft) -> Option<(Adjusted, Span)> 
 struct Made<'a> {
     general: &'a GeneralContact,
     names: Vec<(Side, String)>,
+    /// Names of slave and master of the pairs between parts.
+    pairs: HashSet<[String; 2]>,
     count: usize,
 }
 
@@ -183,11 +190,12 @@ impl Made<'_> {
     fn pair(
         &mut self,
         (interaction, adjust): (Option<Named>, Option<(Adjusted, Span)>),
-        meeting: Meeting,
+        meeting: Parted,
         skin: &Skin,
         draft: &mut Draft,
     ) {
-        let ([slave, master], why) = roles(meeting, skin, draft);
+        let (turned, why) = roles(&meeting.whole, skin, draft);
+        let ([slave, master], left_out) = meeting.between(turned, skin);
         let masters = match &master {
             Side::Faces(patch) if !draft.model.is_in_space() => {
                 outlines(patch, skin).into_iter().map(Side::Faces).collect()
@@ -195,16 +203,22 @@ impl Made<'_> {
             _ => vec![master],
         };
         let interaction = interaction.unwrap_or_else(|| self.plain(draft));
-        let slave = self.surface(slave, skin, draft);
+        let known = self.surface(slave.clone(), skin, draft);
         for master in masters {
             let master = self.surface(master, skin, draft);
+            // lines of properties give the same slaves and the same whole master more than once
+            let is_new = self.pairs.insert([known.name.clone(), master.name.clone()]);
+            let slave = match &slave {
+                Side::Faces(patch) if !is_new => self.another(patch, skin, draft),
+                _ => known.clone(),
+            };
             let message = format!("general contact: {} on {}, {why}", slave.name, master.name);
             let note = Diagnostic::note(Code("SL0395"), message).at(self.general.origin);
             draft.log.push(note);
             self.count += 1;
             let names = (slave.clone(), master);
             let own = self.pairing(names, (interaction.clone(), adjust.clone()), draft);
-            draft.pairings.push(own);
+            draft.pairings.push(Pairing { left_out: left_out.clone(), ..own });
         }
     }
 
@@ -240,6 +254,7 @@ impl Made<'_> {
             no_thickness: true,
             is_tied: false,
             axes: [None, None],
+            left_out: Vec::new(),
             alone: false,
             origin: self.general.origin,
         }
@@ -266,6 +281,14 @@ impl Made<'_> {
         if let Some((_, name)) = self.names.iter().find(|(known, _)| *known == side) {
             return Named { name: name.clone(), span };
         }
+        let named = self.another(patch, skin, draft);
+        self.names.push((side, named.name.clone()));
+        named
+    }
+
+    /// A surface of these faces with a name of its own.
+    fn another(&self, patch: &Patch, skin: &Skin, draft: &mut Draft) -> Named {
+        let span = self.general.origin;
         let own = part(patch, skin).map_or("", |part| skin.parts[part].name.as_str());
         let taken =
             |name: &str| draft.named_surfaces.iter().any(|surface| surface.named.name == name);
@@ -279,7 +302,6 @@ impl Made<'_> {
         let extent = Extent::Elements(stretches);
         let surface = NamedSurface { named: named.clone(), extent, areas: None, origin: span };
         draft.named_surfaces.push(surface);
-        self.names.push((side, name));
         named
     }
 }
@@ -289,18 +311,18 @@ fn stretch(face: &super::faces::SolidFace, span: Span, draft: &Draft) -> Stretch
     Stretch { elements, span, side: None, face: face.face }
 }
 
-/// Slave and master, and why.
-fn roles([first, second]: Meeting, skin: &Skin, draft: &Draft) -> (Meeting, &'static str) {
-    let (on_a, on_b) = match (&first, &second) {
-        (Side::Analytical(_), _) => return ([second, first], "which is analytical"),
-        (_, Side::Analytical(_)) => return ([first, second], "which is analytical"),
+/// Whether the second side is the slave, and why.
+fn roles([first, second]: &Meeting, skin: &Skin, draft: &Draft) -> (bool, &'static str) {
+    let (on_a, on_b) = match (first, second) {
+        (Side::Analytical(_), _) => return (true, "which is analytical"),
+        (_, Side::Analytical(_)) => return (false, "which is analytical"),
         (Side::Faces(a), Side::Faces(b)) => (a, b),
     };
     let (Some(a), Some(b)) = (part(on_a, skin), part(on_b, skin)) else {
-        return ([first, second], "as they come");
+        return (false, "as they come");
     };
     let (a, b) = (&skin.parts[a], &skin.parts[b]);
-    let (turned, why) = match (a.body.is_some(), b.body.is_some()) {
+    match (a.body.is_some(), b.body.is_some()) {
         (true, false) => (true, "which is rigid"),
         (false, true) => (false, "which is rigid"),
         _ if a.stiffness > STIFFER * b.stiffness => (true, "which is stiffer"),
@@ -309,6 +331,5 @@ fn roles([first, second]: Meeting, skin: &Skin, draft: &Draft) -> (Meeting, &'st
             let [own, other] = [on_a, on_b].map(|patch| skin.spacing(patch, draft));
             (other < own * (1.0 - SAME), "whose mesh is no finer")
         }
-    };
-    (if turned { [second, first] } else { [first, second] }, why)
+    }
 }

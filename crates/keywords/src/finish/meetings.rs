@@ -2,8 +2,12 @@
 //!
 //! ```text
 //!    [ A | B ]   a meeting: faces of one part with faces of another, or an analytical surface
-//!    - [ a | b ]   leaves  [ A - a | B ]  and  [ a | B - b ]
+//!    - [ a | b ]   leaves  [ A - a | B ]  and  [ a | B - b ]    where another line has a and b
+//!                  leaves  [ A | B ] in which a does not meet b    where they are left out: b hides
+//!                                                               what lies behind it from a
 //! ```
+
+use slideline_model::{LeftOut, NodeIndex};
 
 use super::faces::faces;
 use super::skin::{Patch, Skin};
@@ -76,7 +80,7 @@ fn split(own: &Side, by: &Side) -> (Option<Side>, Option<Side>) {
 }
 
 /// What of a meeting is in another one, in its order, and what is not.
-pub(super) fn cut(meeting: &Meeting, by: &Meeting) -> (Option<Meeting>, Vec<Meeting>) {
+fn cut(meeting: &Meeting, by: &Meeting) -> (Option<Meeting>, Vec<Meeting>) {
     let (first, first_left) = split(&meeting[0], &by[0]);
     let (second, second_left) = split(&meeting[1], &by[1]);
     let (Some(first), Some(second)) = (first, second) else {
@@ -94,4 +98,76 @@ pub(super) fn outside(meetings: Vec<Meeting>, by: &Meeting) -> Vec<Meeting> {
     let left = meetings.iter().flat_map(|meeting| cut(meeting, by).1);
     let left: Vec<Meeting> = left.collect();
     left.iter().flat_map(|meeting| cut(meeting, &turned).1).collect()
+}
+
+/// A meeting with what of it does not meet.
+#[derive(Clone, Debug)]
+pub(super) struct Parted {
+    /// What of both parts may meet.
+    pub sides: Meeting,
+    /// The sides before lines with other properties took some of their faces: as masters they
+    /// are whole.
+    pub whole: Meeting,
+    /// What of them does not meet, in their order.
+    left_out: Vec<Meeting>,
+}
+
+impl Parted {
+    /// All of a meeting.
+    pub fn whole(sides: Meeting) -> Self {
+        Self { whole: sides.clone(), sides, left_out: Vec::new() }
+    }
+
+    /// What of it is in a meeting, in its order, and what is not, which does not meet the first.
+    pub fn cut(self, by: &Meeting) -> (Option<Self>, Vec<Self>) {
+        let (inside, others) = cut(&self.sides, by);
+        let mut rest = self.clone();
+        rest.left_out.extend(inside.clone());
+        let others = others.into_iter().map(|sides| Self { sides, ..rest.clone() }).collect();
+        (inside.map(|sides| Self { sides, ..self }), others)
+    }
+
+    /// What is left of it where another one does not meet.
+    pub fn without(self, by: &Meeting) -> Vec<Self> {
+        let of_faces = by.iter().chain(&self.sides).all(|side| matches!(side, Side::Faces(_)));
+        if !of_faces {
+            let Self { left_out, .. } = &self;
+            let rest = outside(vec![self.sides.clone()], by).into_iter();
+            return rest
+                .map(|own| Self { left_out: left_out.clone(), ..Self::whole(own) })
+                .collect();
+        }
+        let turned = [by[1].clone(), by[0].clone()];
+        let common = |by| cut(&self.sides, by).0;
+        let found: Vec<Meeting> = [by, &turned].into_iter().filter_map(common).collect();
+        if found.contains(&self.sides) {
+            return Vec::new();
+        }
+        let Self { left_out, .. } = self.clone();
+        vec![Self { left_out: left_out.into_iter().chain(found).collect(), ..self }]
+    }
+
+    /// Slave and whole master, and their faces that do not meet; the second side is the slave where
+    /// the meeting is `turned`.
+    pub fn between(self, turned: bool, skin: &Skin) -> ([Side; 2], Vec<LeftOut>) {
+        let (own, other) = if turned { (1, 0) } else { (0, 1) };
+        let (slave, master) = (self.sides[own].clone(), self.whole[other].clone());
+        let rest = split(&master, &self.sides[other]).1;
+        let others = rest.map(|rest| [slave.clone(), rest]);
+        let left = self.left_out.iter().map(|by| [by[own].clone(), by[other].clone()]);
+        let faces = left.chain(others).map(|[slave, master]| LeftOut {
+            slave: nodes_of(&slave, skin),
+            master: nodes_of(&master, skin),
+        });
+        let faces = faces.collect();
+        ([slave, master], faces)
+    }
+}
+
+/// The faces of a side by their nodes.
+fn nodes_of(side: &Side, skin: &Skin) -> Vec<Vec<NodeIndex>> {
+    match side {
+        Side::Faces(patch) => patch.iter().map(|&face| skin.faces[face].nodes.clone()).collect(),
+        Side::Analytical(_) => Vec::new(),
+    }
 }

@@ -237,6 +237,7 @@ fn put_together(
         offset,
         adjust,
         axes,
+        left_out: pairing.left_out.clone(),
         origin: pairing.origin,
     };
     both_sides(&pair, pairing.origin, draft);

@@ -52,6 +52,7 @@ fn pair(nodes: &[NodeIndex], master: Master) -> ContactPair {
         elements: elements.collect(),
         adjust: crate::Adjust::Nothing,
         axes: [None; 2],
+        left_out: Vec::new(),
         corners: Vec::new(),
         profile: None,
         offset: crate::Offset::NONE,

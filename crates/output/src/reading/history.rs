@@ -71,20 +71,34 @@ impl History {
         node.values.get(place).map(Vec::as_slice)
     }
 
-    /// The same from the start on, at which everything is zero.
-    pub fn with_start(&self, node: u64, name: &str) -> Option<Vec<f64>> {
-        self.column(node, name).map(self::with_start)
-    }
-
     /// Motion and reaction of what is driven from the start on: the motion of its first node, the
     /// sum of the reactions of all.
     pub fn stroke(&self, driven: &Driven) -> Option<[Vec<f64>; 2]> {
-        let mut sum = vec![0.0; self.column(*driven.nodes.first()?, &driven.reaction)?.len()];
-        for &node in &driven.nodes {
-            let own = self.column(node, &driven.reaction)?;
+        let mut motion = self.along(driven, 0, &driven.motion)?;
+        if !driven.along.is_empty() {
+            steady(&mut motion);
+        }
+        let mut sum = vec![0.0; motion.len()];
+        for place in 0..driven.nodes.len() {
+            let own = self.along(driven, place, &driven.reaction)?;
             sum.iter_mut().zip(own).for_each(|(sum, own)| *sum += own);
         }
-        Some([self.with_start(driven.nodes[0], &driven.motion)?, self::with_start(&sum)])
+        Some([self::with_start(&motion), self::with_start(&sum)])
+    }
+
+    /// A column of a node that is driven, along the axis of its motion.
+    fn along(&self, driven: &Driven, place: usize, name: &str) -> Option<Vec<f64>> {
+        let &node = driven.nodes.get(place)?;
+        let Some(direction) = driven.along.get(place) else {
+            return self.column(node, name).map(<[f64]>::to_vec);
+        };
+        let stem = name.trim_end_matches(|digit: char| digit.is_ascii_digit());
+        let mut sum = vec![0.0; self.column(node, name)?.len()];
+        for (share, number) in direction.iter().zip(1..) {
+            let column = self.column(node, &format!("{stem}{number}")).unwrap_or_default();
+            sum.iter_mut().zip(column).for_each(|(sum, own)| *sum += share * own);
+        }
+        Some(sum)
     }
 
     /// Cuts what a job that was killed wrote beyond its last whole increment.
@@ -92,6 +106,17 @@ impl History {
         for column in self.nodes.iter_mut().flat_map(|node| &mut node.values) {
             column.truncate(length);
         }
+    }
+}
+
+/// Part of the largest value below which values that were added up of components do not differ [1].
+const ROUNDING: f64 = 1e-13;
+
+/// Takes rounding off a motion, so that what stands still does not go to and fro.
+fn steady(motion: &mut [f64]) {
+    let grain = ROUNDING * motion.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
+    if grain > 0.0 {
+        motion.iter_mut().for_each(|own| *own = (*own / grain).round() * grain);
     }
 }
 

@@ -19,6 +19,8 @@ pub(crate) struct Driven {
     pub motion: String,
     /// Column of its reaction.
     pub reaction: String,
+    /// Directions of both, a node each, where nodes have axes of their own; empty: the columns tell [1].
+    pub along: Vec<[f64; 3]>,
 }
 
 impl Driven {
@@ -39,9 +41,15 @@ pub(crate) fn driven(summary: &Value) -> Vec<Driven> {
             nodes: if nodes.is_empty() { vec![node] } else { nodes },
             motion: driven.text("motion")?.to_owned(),
             reaction: driven.text("reaction")?.to_owned(),
+            along: driven.list("along").iter().map(direction).collect(),
         })
     });
     driven.collect()
+}
+
+/// Three numbers; what is none counts as zero.
+fn direction(value: &Value) -> [f64; 3] {
+    std::array::from_fn(|axis| value.get(axis).and_then(Value::as_f64).unwrap_or(0.0))
 }
 
 /// What the summary says is loaded: the first node, what all of them are called, the column of its

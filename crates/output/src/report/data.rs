@@ -90,7 +90,8 @@ fn driven(results: &Results, judged: &Judged) -> Value {
             "node": driven.nodes.first(),
             "who": driven.words(),
             "nodes": driven.nodes.len(),
-            "force": force(results, driven),
+            "force": of_stroke(results, driven, 1),
+            "travel": of_stroke(results, driven, 0).filter(|_| !driven.along.is_empty()),
             "motion": driven.motion,
             "reaction": driven.reaction,
             "inward": stroke.map_or(1.0, |stroke| stroke.inward),
@@ -101,11 +102,12 @@ fn driven(results: &Results, judged: &Judged) -> Value {
     all.collect()
 }
 
-/// What all nodes of a set are driven with, from the first increment on; none of a single node,
-/// whose reaction stands among the histories.
-fn force(results: &Results, driven: &Driven) -> Option<String> {
-    let [_, force] = results.history.stroke(driven).filter(|_| driven.nodes.len() > 1)?;
-    Some(doubles(force.get(1..)?))
+/// The motion (0) of what is driven, or what all its nodes are driven with (1), from the first increment on;
+/// none of a single node along an axis of the model, whose columns stand among the histories.
+fn of_stroke(results: &Results, driven: &Driven, which: usize) -> Option<String> {
+    let is_told = driven.nodes.len() > 1 || !driven.along.is_empty();
+    let stroke = results.history.stroke(driven).filter(|_| is_told)?;
+    Some(doubles(stroke[which].get(1..)?))
 }
 
 /// Held nodes with the numbers of their dofs.

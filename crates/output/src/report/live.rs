@@ -143,6 +143,10 @@ impl Live {
         let history = summary.curves().1;
         let last = |node, name: &str| history.column(node, name).and_then(<[f64]>::last).copied();
         let row = |own: &Driven| {
+            if !own.along.is_empty() {
+                let stroke = history.stroke(own).unwrap_or_default();
+                return stroke.map(|own| own.last().copied().unwrap_or(0.0));
+            }
             let reactions = own.nodes.iter().filter_map(|&node| last(node, &own.reaction));
             let motion = own.nodes.first().and_then(|&node| last(node, &own.motion));
             // added up as the report adds them

@@ -16,6 +16,7 @@ mod field;
 mod flush_blocks;
 mod grazing;
 mod interference;
+mod left_out_faces;
 mod mortar;
 mod mortar_decks;
 mod mortar_in_space;

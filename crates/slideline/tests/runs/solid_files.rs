@@ -278,6 +278,30 @@ fn beams_and_solids_have_files_of_their_own() {
     near(beams[0]["SF1"], 0.1, 1.0);
 }
 
+/// Requirement: force and work of a motion along axes of the node's own are along these, also where it stands
+/// still in the other step. Source: E times strain times area of a truss at 30 degrees, 10 and 20.
+#[test]
+fn a_motion_along_own_axes_has_the_force_along_them() {
+    let (s, c) = 30.0_f64.to_radians().sin_cos();
+    let deck = format!(
+        "*NODE\n1, 0., 0.\n2, {c}, {s}\n3, {}, {}\n*ELEMENT, TYPE=T2D2, ELSET=A\n1, 1, 2\n2, 3, 2\n\
+         *SOLID SECTION, ELSET=A, MATERIAL=A\n1.\n*MATERIAL, NAME=A\n*ELASTIC\n1000., 0.\n\
+         *NSET, NSET=TIP\n2\n*TRANSFORM, NSET=TIP\n{c}, {s}, 0., {}, {c}, 0.\n\
+         *STEP\n*STATIC\n.25, 1.\n*BOUNDARY\n1, 1, 2\n3, 1, 2\n2, 1, 1, .01\n2, 2, 2\n*END STEP\n\
+         *STEP\n*STATIC\n.25, 1.\n*BOUNDARY\n2, 2, 2, -.02\n*END STEP\n",
+        c + s,
+        s - c,
+        -s
+    );
+    let summary = run("own_axes", &deck, Dialect::Abaqus)(".json");
+    let all = summary.split("\"push_in\":{\"force\":").skip(1);
+    let forces: Vec<f64> = all.map(|own| own.split(',').next().unwrap().parse().unwrap()).collect();
+    assert_eq!(forces.len(), 2, "{summary}");
+    near(forces[0], 20.0, 10.0);
+    near(forces[1], 10.0, 10.0);
+    assert!(summary.contains("\"along\":[["), "{summary}");
+}
+
 /// Requirement: a set that a card drives is one motion, its reaction the sum of its nodes; the
 /// report says so, speaks of no beam, and carries the surface of the cube, 12 triangles. Source: E
 /// times strain times area, 50.

@@ -47,6 +47,7 @@ fn contact() -> ContactPair {
         vocabulary: Vocabulary::Elements,
         adjust: slideline_model::Adjust::Nothing,
         axes: [None; 2],
+        left_out: Vec::new(),
         corners: Vec::new(),
         offset: slideline_model::Offset::NONE,
         slaves: Vec::new(),

@@ -125,7 +125,7 @@ impl Contact {
                     nodes.iter().map(|(at, dofs)| dofs.displace(*at, u)).collect()
                 };
                 let (before, after) = (positions(from), positions(to));
-                let all = (0..mesh.faces().len()).filter(|&face| master.stops(point.seat, face));
+                let all = (0..mesh.faces().len()).filter(|&face| self.is_stopped(point, face));
                 cross_faces(mesh, (&before, &after), all, (start, end), |crossing| {
                     inward |= crossing.inward;
                 });
@@ -140,7 +140,7 @@ impl Contact {
                     nodes.iter().map(|(at, dofs)| dofs.displace(*at, u)).collect()
                 };
                 let (before, after) = (positions(from), positions(to));
-                let parts = (0..nodes.len() - 1).filter(|&part| master.stops(point.seat, part));
+                let parts = (0..nodes.len() - 1).filter(|&part| self.is_stopped(point, part));
                 cross_parts((&before, &after), parts, (start, end), |crossing| {
                     inward |= crossing.inward;
                 });

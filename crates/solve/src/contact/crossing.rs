@@ -169,7 +169,7 @@ impl Contact {
             if apart(&way, &room) {
                 continue;
             }
-            let stops = |&part: &usize| self.masters[pair].stops(point.seat, part);
+            let stops = |&part: &usize| self.is_stopped(point, part);
             match &self.masters[pair] {
                 MasterSurface::Nothing => {}
                 MasterSurface::Faces { mesh, nodes, offset, .. } => {

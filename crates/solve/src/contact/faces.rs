@@ -81,6 +81,19 @@ impl Contact {
         closest(placed.mesh, placed.positions, tree, at, room.face())
     }
 
+    /// The same within the extension of the pair, where the point meets it.
+    fn face_met(
+        &self,
+        point: &SlavePoint,
+        (at, before): ([f64; 3], Option<usize>),
+        outlook: &Outlook,
+        positions: &MasterPositions,
+        room: &mut FaceRoom,
+    ) -> Option<FacePlace> {
+        let facing = self.face_at(point, (at, None, before), outlook, positions, room)?;
+        (!self.leaves_out(point, facing.face)).then_some(facing)
+    }
+
     /// Overclosure of the node of a surface that meets itself against what it meets, whichever of
     /// both is the slave [L]; `None` where it meets nothing.
     pub(super) fn met_itself(
@@ -127,7 +140,7 @@ impl Contact {
         positions: &MasterPositions,
     ) -> Option<f64> {
         let (mut room, everywhere) = (FaceRoom::default(), &Outlook::EVERYWHERE);
-        let place = self.face_at(point, (at, None, None), everywhere, positions, &mut room)?;
+        let place = self.face_met(point, (at, None), everywhere, positions, &mut room)?;
         let placed = self.placed_faces(point.pair, positions)?;
         let own = FacePoint::new(placed.mesh, placed.positions, (place, at), None, &mut room)?;
         Some(-own.gap().gap)
@@ -165,7 +178,7 @@ impl Contact {
         let footing = before.and_then(|before| before.footing.as_ref());
         let known = self.outlook(point, u);
         let outlook = Outlook::of(&known);
-        let facing = self.face_at(point, (at, None, held), outlook, positions, room);
+        let facing = self.face_met(point, (at, held), outlook, positions, room);
         let found = facing.and_then(|facing| {
             let placed = self.placed_faces(point.pair, positions)?;
             let faces = (placed.mesh, placed.positions);

@@ -14,6 +14,7 @@ use slideline_mech::contact::friction::FrictionLaw;
 use slideline_mech::contact::gap::offset::Offset;
 use slideline_mech::contact::pair::Laws;
 use slideline_model::{Allowed, Amplitude, ContactPair, Formulation, Model, NodeIndex};
+use std::collections::HashSet;
 use std::ops::Range;
 
 /// What is allowed of overclosure at the points of a pair.
@@ -31,6 +32,15 @@ pub(super) struct Allowance {
     pub now: f64,
     /// How they change over the step; without one straight to zero.
     pub amplitude: Option<Amplitude>,
+}
+
+/// What of a pair does not meet.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Apart {
+    /// Nodes of the slave.
+    pub nodes: HashSet<NodeIndex>,
+    /// Parts of the master, or its faces, that these do not meet; those behind the last one are met.
+    pub parts: Vec<bool>,
 }
 
 /// A slave point.
@@ -108,6 +118,8 @@ pub struct Contact {
     /// Tangential directions of a point: one in the plane.
     pub directions: usize,
     pub(super) masters: Vec<MasterSurface>,
+    /// What of the sides of pairs does not meet, a list a pair, those of edges behind.
+    pub(super) apart: Vec<Vec<Apart>>,
     /// How far the surfaces stand off the lines of beams, a pair each.
     pub(super) offsets: Vec<Offset>,
     /// Faces of the slave surfaces of contact at nodes.

@@ -35,6 +35,7 @@ impl Contact {
             state_size: 0,
             directions: if model.is_in_space() { 2 } else { 1 },
             masters: Vec::new(),
+            apart: Vec::new(),
             offsets: Vec::new(),
             slave_faces: Vec::new(),
             sharp: Vec::new(),
@@ -77,6 +78,7 @@ impl Contact {
         contact.take_edges(model);
         contact.follow_pairs(model);
         contact.take_slave_faces(model);
+        contact.take_left_out(model);
         contact
     }
 

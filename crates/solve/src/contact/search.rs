@@ -59,7 +59,8 @@ impl Contact {
     ) -> Option<Facing> {
         let known = self.outlook(point, u);
         let at = (position, point.seat, Outlook::of(&known));
-        self.masters[point.pair].search(u, (positions, point.pair), at)
+        let facing = self.masters[point.pair].search(u, (positions, point.pair), at)?;
+        (!self.leaves_out_faced(point, &facing)).then_some(facing)
     }
 
     /// What the point of a stencil faces; the master's part is added to it.

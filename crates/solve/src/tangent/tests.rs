@@ -125,6 +125,7 @@ pub(crate) fn model(line: bool, offset: Offset) -> Model {
         of_solids: false,
         adjust: slideline_model::Adjust::Nothing,
         axes: [None; 2],
+        left_out: Vec::new(),
         corners: Vec::new(),
         offset,
         slaves: Vec::new(),

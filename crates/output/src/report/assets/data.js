@@ -17,7 +17,7 @@ const strokes = new Map();
 function stroke(driven) {
   if (!strokes.has(driven)) {
     const history = data.history.find((one) => one.node === driven.node);
-    strokes.set(driven, history && history.columns[driven.motion] ? doubles(history.columns[driven.motion]) : null);
+    strokes.set(driven, driven.travel ? doubles(driven.travel) : history && history.columns[driven.motion] ? doubles(history.columns[driven.motion]) : null);
   }
   return strokes.get(driven);
 }

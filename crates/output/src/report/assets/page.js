@@ -12,7 +12,7 @@ function reactions() {
     if (!own[driven.motion] || !own[driven.reaction]) return;
     // along the motion: the way in is positive, and so is a push
     const s = driven.inward, turn = (values) => values.map((value) => s * value);
-    const u = turn(start(own[driven.motion]));
+    const u = turn(start(driven.travel ? doubles(driven.travel) : own[driven.motion]));
     const ways = Uint8Array.from(u, (value, i) => i > 0 && value < u[i - 1] ? 1 : i > 0 && value === u[i - 1] ? 2 : 0);
     for (let i = 1; i < ways.length; i++) if (ways[i] === 2) ways[i] = ways[i - 1];
     const series = [{ name: data.job, x: u, y: turn(start(driven.force ? doubles(driven.force) : own[driven.reaction])), colour: "--c0", dots: true, ways, wayColours: ["--c0", "--c1"] }];

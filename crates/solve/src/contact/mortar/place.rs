@@ -206,7 +206,9 @@ impl MortarRoom {
         let reference = &mortar.faces[face].reference;
         let whole = MortarFace { reference, places: &state.places, curves: &state.curves };
         state.segments.clear();
-        state.segments.extend_from_slice(self.cover.find(&whole));
+        let found = self.cover.find(&whole).iter();
+        let meets = |own: &&Segment| mortar.meets(face, state.near[own.curve]);
+        state.segments.extend(found.filter(meets).copied());
         state.keep_used(&mut self.used);
         let whole = MortarFace { reference, places: &state.places, curves: &state.curves };
         state.is_covered = state.integrals.take(&whole, &state.segments);

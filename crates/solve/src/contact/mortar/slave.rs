@@ -52,6 +52,9 @@ impl Control {
     }
 }
 
+/// Faces of the slave, and curves of the master that these do not meet.
+pub type ApartFaces = [Vec<bool>; 2];
+
 /// A slave face.
 #[derive(Clone, Debug)]
 pub struct SlaveFace {
@@ -82,10 +85,18 @@ pub struct Mortar {
     pub positions: Vec<[f64; 3]>,
     /// Their dofs.
     pub dofs: Vec<Translations>,
+    /// Faces, and curves of the master, that do not meet.
+    pub apart: Vec<ApartFaces>,
     across: Across,
 }
 
 impl Mortar {
+    /// Whether a face meets a curve of the master.
+    pub fn meets(&self, face: usize, curve: usize) -> bool {
+        let has = |own: &[bool], place: usize| own.get(place).is_some_and(|&is_apart| is_apart);
+        !self.apart.iter().any(|[faces, curves]| has(faces, face) && has(curves, curve))
+    }
+
     /// The slave surface of a pair with these slave nodes, without its numbers.
     pub fn new(
         (place, pair): (usize, &ContactPair),
@@ -129,6 +140,7 @@ impl Mortar {
             positions: vec![[0.0; 3]; nodes.len()],
             dofs: nodes.iter().map(|&node| dofs.translations(node)).collect(),
             across: Across::Width(1.0),
+            apart: Vec::new(),
         };
         let corners: Vec<usize> = pair.corners.iter().map(|node| place_of[node]).collect();
         own.join(&corners);
