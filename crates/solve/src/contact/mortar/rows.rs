@@ -16,7 +16,6 @@ use super::super::pairs::{Carrier, Contact};
 use super::place::{FaceState, MortarRoom, Sums};
 use super::rooms::MortarRooms;
 use super::slave::{Control, Mortar};
-use crate::state::PointState;
 use slideline_mech::contact::pair::Body;
 use slideline_mech::contact::pair::mortar::{
     Direction, FIRST_MASTER, MOST_CONTROLS, MortarFace, Place,
@@ -72,8 +71,8 @@ impl Contact {
             let at = At { contact: self, mortar, body };
             for point in 0..mortar.of_point.len() {
                 let place = mortar.first + point;
-                let then = before.points.get(place).filter(|_| has_history);
-                at.locate_point(point, u, then, rooms, into);
+                let along = before.points.get(place).filter(|_| has_history).map(|p| p.along);
+                at.locate_point(point, u, along, rooms, into);
             }
         }
         into.mortars = rooms;
@@ -81,12 +80,13 @@ impl Contact {
 }
 
 impl At<'_> {
-    /// Where a point stands; `then`: its state at the last commit, if there was one.
+    /// Where a point stands; `along`: its slip coordinates at the last commit, if there was one and
+    /// it faced something then.
     fn locate_point(
         &self,
         point: usize,
         u: &[f64],
-        then: Option<&PointState>,
+        along: Option<Option<Tangential>>,
         rooms: &mut MortarRooms,
         into: &mut ContactKinematics,
     ) {
@@ -103,7 +103,7 @@ impl At<'_> {
         if sums.area <= 0.0 {
             into.turn_away_in_place();
         } else {
-            self.take_rows(point, sums, then, rooms, &mut into);
+            self.take_rows(point, sums, along, rooms, &mut into);
         }
         for &dof in &rooms.unknowns {
             rooms.columns[dof] = NONE;
@@ -183,7 +183,7 @@ impl At<'_> {
         &self,
         point: usize,
         sums: Sums,
-        then: Option<&PointState>,
+        along: Option<Option<Tangential>>,
         rooms: &mut MortarRooms,
         into: &mut PointRowsMut<'_>,
     ) {
@@ -192,7 +192,7 @@ impl At<'_> {
         into.point.facing = None;
         into.point.footing = None;
         into.point.overclosure = -gap;
-        let before = then.filter(|then| then.closed).map(|_| &rooms.before);
+        let before = along.is_some().then_some(&rooms.before);
         into.point.allow(self.allowed(point, before));
         into.point.area = sums.area;
         into.point.normal = sums.normal.map(|x| -x);
@@ -205,13 +205,13 @@ impl At<'_> {
         let normal = Direction { normal: by_area, tangent: 0.0, area: -depth * by_area };
         self.pull(point, Asked::Gradient(normal), rooms, row);
         self.pull(point, Asked::Drag(by_area), rooms, force);
-        let Some(then) = then else {
+        let Some(along) = along else {
             slip.copy_from_slice(force);
             into.point.along = Tangential::ZERO;
             return;
         };
         let way = self.add_slip(point, sums.area, rooms, slip);
-        into.point.along = then.along.unwrap_or(Tangential::ZERO) + Tangential::along(way);
+        into.point.along = along.unwrap_or(Tangential::ZERO) + Tangential::along(way);
     }
 
     /// What of an overclosure counts where the area changes: all of it under a soft law; under a hard one, which
@@ -221,8 +221,8 @@ impl At<'_> {
         point.allowed + if is_soft { point.overclosure } else { 0.0 }
     }
 
-    /// The overclosure that a point is allowed, by the step and by how little of it was covered at the last commit, if it
-    /// was closed then [L].
+    /// The overclosure that a point is allowed, by the step and by how little of it was covered at the last commit,
+    /// if there was one [L].
     fn allowed(&self, point: usize, before: Option<&MortarRoom>) -> f64 {
         let pair = self.mortar.pair;
         let is_held = self.contact.keeps[pair] || self.contact.is_soft(pair);

@@ -108,9 +108,7 @@ impl At<'_> {
                     let along = history.and_then(|points| points.get(place)?.along);
                     let asked = rooms.asked.get(point);
                     let slip = asked.map(|&own| (own, along.unwrap_or(Tangential::ZERO), rubs));
-                    let then = history.and_then(|points| points.get(place));
-                    let was_closed = then.is_some_and(|then| then.closed);
-                    self.take_rows((point, &standing, was_closed), slip, rooms, &mut own);
+                    self.take_rows((point, &standing), slip, rooms, &mut own);
                 }
                 _ => own.turn_away_in_place(),
             }
@@ -198,7 +196,7 @@ impl At<'_> {
 
     fn take_rows(
         &self,
-        (point, standing, was_closed): (usize, &Standing, bool),
+        (point, standing): (usize, &Standing),
         slip: Option<(Asked, Tangential, bool)>,
         rooms: &FaceMortarRooms,
         into: &mut PointRowsMut<'_>,
@@ -208,7 +206,7 @@ impl At<'_> {
         into.point.faces = true;
         into.point.facing = None;
         into.point.overclosure = overclosure;
-        let before = was_closed.then_some(&rooms.before);
+        let before = slip.is_some().then_some(&rooms.before);
         into.point.allow(self.allowed(point, before));
         into.point.area = sums.area;
         into.point.normal = standing.footing.normal;
@@ -254,8 +252,8 @@ impl At<'_> {
         point.allowed + if is_soft { point.overclosure } else { 0.0 }
     }
 
-    /// The overclosure that a point is allowed, by the step and by how little of it was covered at the last commit, if it
-    /// was closed then [L].
+    /// The overclosure that a point is allowed, by the step and by how little of it was covered at the last commit,
+    /// if there was one [L].
     fn allowed(&self, point: usize, before: Option<&FaceRoom>) -> f64 {
         let pair = self.mortar.pair;
         let is_held = self.contact.keeps[pair] || self.contact.is_soft(pair);
