@@ -14,7 +14,6 @@ mod behind;
 mod between;
 mod candidates;
 mod cliques;
-mod coverage;
 mod crossing;
 mod edge_points;
 mod edges;

@@ -16,7 +16,7 @@ use super::pairs::{Carrier, Contact};
 use super::slave_face::SlaveFace;
 use super::stencil::NO_TURN;
 use crate::dofs::DofMap;
-use crate::state::PointState;
+use crate::state::{PointState, State};
 use slideline_model::{EdgePair, Model, NodeIndex};
 use std::collections::HashMap;
 
@@ -201,6 +201,20 @@ impl Contact {
             _ => {}
         }
         about
+    }
+
+    /// Work of edges as more or less of their depth is allowed, by the trapezoidal rule [F L].
+    pub(super) fn work_at_edges(&self, committed: &State, trial: &State) -> f64 {
+        let own = self.places_of_edges();
+        let (Some(then), Some(now)) = (committed.points.get(own.clone()), trial.points.get(own))
+        else {
+            return 0.0;
+        };
+        let work = |(then, now): (&PointState, &PointState)| {
+            let mean = 0.5 * (then.area * then.pressure + now.area * now.pressure);
+            if mean == 0.0 { 0.0 } else { mean * (then.allowed - now.allowed) }
+        };
+        then.iter().zip(now).map(work).sum()
     }
 }
 

@@ -115,7 +115,7 @@ impl Contact {
     pub fn interference_work(&self, committed: &State, trial: &State) -> f64 {
         self.work_at_points(committed, trial)
             + self.work_along(committed, trial)
-            + self.work_of_free_depths(committed, trial)
+            + self.work_at_edges(committed, trial)
     }
 
     /// That of points which stay where they are on the slave.

@@ -1,7 +1,6 @@
 //! The faces of a pair in a configuration, and their integrals.
 
-use super::super::coverage::{LEAST_AREA, free_depth, held_part};
-use super::super::pairs::{Contact, SlavePoint};
+use super::super::pairs::Contact;
 use super::curves::{MasterCurve, curves};
 use super::slave::{Control, Mortar};
 use slideline_mech::contact::pair::Body;
@@ -48,13 +47,6 @@ impl FaceState {
         let reference = &mortar.faces[face].reference;
         MortarFace { reference, places: &self.places, curves: &self.curves }
     }
-
-    /// Its length from end to end [L].
-    pub fn length(&self, mortar: &Mortar, face: usize) -> f64 {
-        let of_face = self.face(mortar, face);
-        let [first, last] = [0, 1].map(|end| of_face.curve().end(end));
-        (last[0] - first[0]).hypot(last[1] - first[1])
-    }
 }
 
 /// The faces of the slave surface of a pair in a configuration.
@@ -70,8 +62,6 @@ pub struct MortarRoom {
     cover: Cover,
     used: Vec<usize>,
     areas: Vec<f64>,
-    /// How far every point is held [1].
-    held: Vec<f64>,
 }
 
 /// What a point sums over its faces.
@@ -92,6 +82,10 @@ impl Sums {
         along.sum::<f64>() / self.area
     }
 }
+
+/// Part of the area of the node of a face that has most of it, which a node must have to carry
+/// contact of its own there [1].
+const LEAST_AREA: f64 = 0.05;
 
 impl Contact {
     /// Places the faces of the mortar of a pair at displacements `u`.
@@ -114,14 +108,14 @@ impl Contact {
         for face in 0..mortar.faces.len() {
             room.place_face(mortar, face);
         }
-        room.share_out(mortar, &self.points[mortar.first..]);
+        room.share_out(mortar);
     }
 }
 
 impl MortarRoom {
     /// Gives the shape functions of nodes that have next to nothing of a face left to the node that
     /// has most of it.
-    fn share_out(&mut self, mortar: &Mortar, points: &[SlavePoint]) {
+    fn share_out(&mut self, mortar: &Mortar) {
         self.areas.clear();
         self.areas.resize(mortar.of_point.len(), 0.0);
         for (own, state) in mortar.faces.iter().zip(&self.faces) {
@@ -132,8 +126,6 @@ impl MortarRoom {
                     .for_each(|(&point, area)| self.areas[point] += area);
             }
         }
-        self.held.clear();
-        self.held.resize(mortar.of_point.len(), 0.0);
         for (own, state) in mortar.faces.iter().zip(&mut self.faces) {
             state.shares = [None; MOST_CONTROLS];
             if !state.is_covered {
@@ -141,11 +133,6 @@ impl MortarRoom {
             }
             let area = |node: usize| self.areas[own.points[node]];
             let most = (0..own.count).max_by(|&a, &b| area(a).total_cmp(&area(b))).unwrap_or(0);
-            let parts = |node: usize| (area(node), points[own.points[node]].area);
-            for node in 0..own.count {
-                let held = &mut self.held[own.points[node]];
-                *held = held.max(held_part(parts(node), parts(most)));
-            }
             let mut given = Shares::of(most);
             for node in (0..own.count).filter(|&node| node != most) {
                 if area(node) < LEAST_AREA * area(most) {
@@ -156,14 +143,6 @@ impl MortarRoom {
             }
             state.shares[most] = Some(given);
         }
-    }
-
-    /// How deep a point may stand in the master unheld, of which little is covered [L]: docs/theory.md eq. (5.51).
-    pub fn free_depth(&self, mortar: &Mortar, point: usize) -> f64 {
-        let Some(&held) = self.held.get(point) else { return 0.0 };
-        let faces = mortar.of_point[point].iter().flatten();
-        let lengths = faces.clone().map(|&(face, _)| self.faces[face].length(mortar, face));
-        free_depth(held) * lengths.sum::<f64>() / faces.count().max(1) as f64
     }
 
     /// Area, weighted gap and normal of a point.

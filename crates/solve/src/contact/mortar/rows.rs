@@ -10,7 +10,7 @@
 //! docs/theory.md eqs. (5.24) to (5.28)
 
 use super::super::before::Before;
-use super::super::kinematics::{ContactKinematics, PointKinematics, PointRowsMut};
+use super::super::kinematics::{ContactKinematics, PointRowsMut};
 use super::super::master::MasterSurface;
 use super::super::pairs::{Carrier, Contact};
 use super::place::{FaceState, MortarRoom, Sums};
@@ -192,8 +192,7 @@ impl At<'_> {
         into.point.facing = None;
         into.point.footing = None;
         into.point.overclosure = -gap;
-        let before = along.is_some().then_some(&rooms.before);
-        into.point.allow(self.allowed(point, before));
+        into.point.allow(self.contact.allowed_at(self.mortar.first + point));
         into.point.area = sums.area;
         into.point.normal = sums.normal.map(|x| -x);
         let width = rooms.unknowns.len();
@@ -201,7 +200,7 @@ impl At<'_> {
         let (row, rest) = rows.split_at_mut(width);
         let (slip, force) = rest.split_at_mut(width);
         let by_area = 1.0 / sums.area;
-        let depth = self.depth(into.point);
+        let depth = self.depth(-gap);
         let normal = Direction { normal: by_area, tangent: 0.0, area: -depth * by_area };
         self.pull(point, Asked::Gradient(normal), rooms, row);
         self.pull(point, Asked::Drag(by_area), rooms, force);
@@ -214,21 +213,9 @@ impl At<'_> {
         into.point.along = along.unwrap_or(Tangential::ZERO) + Tangential::along(way);
     }
 
-    /// What of an overclosure counts where the area changes: all of it under a soft law; under a hard one, which
-    /// holds the point there, what is allowed [L]. docs/theory.md eq. (5.29)
-    pub(super) fn depth(&self, point: &PointKinematics) -> f64 {
-        let is_soft = self.contact.is_soft(self.mortar.pair);
-        point.allowed + if is_soft { point.overclosure } else { 0.0 }
-    }
-
-    /// The overclosure that a point is allowed, by the step and by how little of it was covered at the last commit,
-    /// if there was one [L].
-    fn allowed(&self, point: usize, before: Option<&MortarRoom>) -> f64 {
-        let pair = self.mortar.pair;
-        let is_held = self.contact.keeps[pair] || self.contact.is_soft(pair);
-        let before = before.filter(|_| !is_held);
-        let free = before.map_or(0.0, |before| before.free_depth(self.mortar, point));
-        self.contact.allowed_at(self.mortar.first + point) + free
+    /// What of an overclosure counts where the area changes: under a hard law there is none [L].
+    pub(super) fn depth(&self, overclosure: f64) -> f64 {
+        if self.contact.is_soft(self.mortar.pair) { overclosure } else { 0.0 }
     }
 
     /// Slip of a point since the last commit [L]; its derivative is added to the row.

@@ -33,7 +33,11 @@ impl Contact {
             let state = &rooms.now.faces[face];
             let Some(shares) = state.shares[node] else { continue };
             let of_face = state.face(mortar, face);
-            let forces = (normal / area, at.depth(kinematics), tangential[0] / area);
+            let forces = (
+                normal / area,
+                at.depth(kinematics.overclosure + kinematics.allowed),
+                tangential[0] / area,
+            );
             room.sweep.tangent((&of_face, &state.segments), shares, forces, &mut room.of_face);
             let places = FIRST_MASTER + MOST_CONTROLS * state.curves.len();
             room.entries.clear();
@@ -53,7 +57,7 @@ impl Contact {
                     }
                 });
             }
-            if self.is_soft(mortar.pair) {
+            if at.depth(1.0) > 0.0 {
                 at.note_area((state, face, shares), (kinematics, rooms), room);
             }
             let wide = 2 * places;

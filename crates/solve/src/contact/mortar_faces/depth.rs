@@ -34,6 +34,6 @@ impl FaceState {
         let mean = sum(&self.sums.gaps) / area;
         let gaps = self.overlaps.iter().filter_map(|over| self.couple(own, over).least_gap(over));
         let least = gaps.reduce(f64::min)?;
-        Some((mean.min(0.0) - least) / self.size(own))
+        Some((mean.min(0.0) - least) / sum(&self.places.corner_areas(&own.measure)).sqrt())
     }
 }

@@ -1,8 +1,7 @@
 //! The faces of a pair in a configuration, and their integrals.
 
-use super::super::coverage::{LEAST_AREA, free_depth, held_part};
 use super::super::master::MasterSurface;
-use super::super::pairs::{Contact, SlavePoint};
+use super::super::pairs::Contact;
 use super::slave::{FaceMortar, SlaveFace};
 use slideline_mech::contact::pair::mortar_faces::{
     Couple, Cover, Ends, FaceEnds, FacePlaces, Faced, MOST_CORNERS, MOST_NODES, Overlap, Sums,
@@ -42,10 +41,11 @@ pub struct FaceRoom {
     cover: Cover,
     near: Vec<Faced>,
     areas: Vec<f64>,
-    /// How far every point is held [1].
-    held: Vec<f64>,
 }
 
+/// Part of the area of the corner of a face that has most of it, which a corner must have to carry
+/// contact of its own there [1].
+const LEAST_AREA: f64 = 0.05;
 /// Part of a face by which what bulges is looked for beside it [1].
 const BULGE: f64 = 0.1;
 
@@ -66,12 +66,6 @@ impl FaceState {
         let Faced { places: master, ends, .. } = &self.masters[overlap.master];
         let ends = Ends { slave: own.ends, master: *ends };
         Couple { slave: &self.places, measure: &own.measure, master, ends }
-    }
-
-    /// The root of its area [L].
-    pub fn size(&self, own: &SlaveFace) -> f64 {
-        let areas = self.places.corner_areas(&own.measure);
-        areas[..corners(own.count)].iter().sum::<f64>().sqrt()
     }
 
     /// Integrates over the overlaps; what faces nothing is left out.
@@ -108,7 +102,7 @@ impl Contact {
         for (place, own) in mortar.faces.iter().enumerate() {
             room.place_face(place, own, mesh);
         }
-        room.share_out(mortar, &self.points[mortar.first..]);
+        room.share_out(mortar);
     }
 }
 
@@ -190,19 +184,8 @@ impl FaceRoom {
         near.sort_unstable_by_key(|own| own.face);
     }
 
-    /// How deep a point may stand in the master unheld, of which little is covered [L]: docs/theory.md eq. (5.51).
-    pub fn free_depth(&self, mortar: &FaceMortar, point: usize) -> f64 {
-        let depth = self.held.get(point).map_or(0.0, |&held| free_depth(held));
-        if depth == 0.0 {
-            return 0.0;
-        }
-        let faces = &mortar.of_point[point];
-        let size = |&(face, _): &(usize, usize)| self.faces[face].size(&mortar.faces[face]);
-        depth * faces.iter().map(size).sum::<f64>() / faces.len().max(1) as f64
-    }
-
     /// Gives the functions of corners that have next to nothing of a face left to a corner beside them.
-    fn share_out(&mut self, mortar: &FaceMortar, points: &[SlavePoint]) {
+    fn share_out(&mut self, mortar: &FaceMortar) {
         self.areas.clear();
         self.areas.resize(mortar.of_point.len(), 0.0);
         for (own, state) in mortar.faces.iter().zip(&self.faces) {
@@ -210,8 +193,6 @@ impl FaceRoom {
                 self.areas[own.points[corner]] += state.sums.areas[corner];
             }
         }
-        self.held.clear();
-        self.held.resize(mortar.of_point.len(), 0.0);
         for (own, state) in mortar.faces.iter().zip(&mut self.faces) {
             state.given = [None; MOST_CORNERS];
             if state.overlaps.is_empty() {
@@ -220,11 +201,6 @@ impl FaceRoom {
             let count = corners(own.count);
             let area = |corner: usize| self.areas[own.points[corner]];
             let most = (0..count).max_by(|&a, &b| area(a).total_cmp(&area(b))).unwrap_or(0);
-            let parts = |corner: usize| (area(corner), points[own.points[corner]].area);
-            for corner in 0..count {
-                let held = &mut self.held[own.points[corner]];
-                *held = held.max(held_part(parts(corner), parts(most)));
-            }
             let is_small = |corner: usize| area(corner) < LEAST_AREA * area(most);
             for corner in 0..count {
                 // by how the face is made: a choice by areas would change to and fro between equals

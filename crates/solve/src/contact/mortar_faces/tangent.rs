@@ -69,7 +69,7 @@ impl Contact {
         let tractions = (1.0 / kinematics.area) * forces.1;
         let GeometryScratch { tangent, face_mortar: room, columns, .. } = scratch;
         list_columns(kinematics, columns);
-        if self.is_soft(mortar.pair) {
+        if acting.depth != 0.0 {
             at.add_areas(
                 point,
                 acting.pressure,
@@ -108,7 +108,7 @@ impl At<'_> {
         let [along_first, along_second] = tangential.0.map(|force| force / point.area);
         Acting {
             pressure: normal / point.area,
-            depth: self.depth(point),
+            depth: self.depth(point.overclosure + point.allowed),
             traction: add(scale(first, along_first), scale(second, along_second)),
         }
     }
