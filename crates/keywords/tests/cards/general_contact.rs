@@ -72,14 +72,18 @@ fn exclusions_take_pairs_away() {
     assert_eq!(names(&model(&named)), ["B/A"]);
 }
 
-/// Requirement: of faces that are excluded in part the others keep their contact.
+/// Requirement: of faces that are excluded in part the others keep their contact; all stay, so that nothing is seen through
+/// a hole.
 #[test]
 fn faces_are_excluded_alone() {
     let cards = "*CONTACT INCLUSIONS\nSKIN-A, SKIN-B\n*CONTACT EXCLUSIONS\nSIDE, SKIN-A\n";
     let deck = with(cards).replace("*CONTACT\n", "*SURFACE, NAME=SIDE\nB, S2\n*CONTACT\n");
     let model = model(&deck);
     assert_eq!(model.contact_pairs.len(), 1);
-    assert_eq!(model.contact_pairs[0].elements.len(), 3);
+    let pair = &model.contact_pairs[0];
+    assert_eq!((pair.elements.len(), pair.left_out.len()), (4, 1));
+    let [own] = &pair.left_out[..] else { unreachable!() };
+    assert_eq!(own.slave.len().min(own.master.len()), 1);
 }
 
 /// Requirement: the last property that fits counts; without one contact is hard and frictionless.
