@@ -14,6 +14,7 @@ mod behind;
 mod between;
 mod candidates;
 mod cliques;
+mod coverage;
 mod crossing;
 mod edge_points;
 mod edges;

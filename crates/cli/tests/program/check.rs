@@ -219,3 +219,61 @@ fn remedies_speak_the_words_of_their_deck() {
         assert!(!help.contains(other), "{name}: {help}");
     }
 }
+
+/// A strip whose middle block of ten is drawn along the world's x, or along its y by axes of its own: `turned` by 90
+/// degrees, the first one.
+fn drawn(turned: bool) -> String {
+    use std::fmt::Write as _;
+    let mut deck = String::from("*NODE\n");
+    for (base, wide, low) in [(0, 10.0, -1.0), (100, 2.0, 0.0)] {
+        for i in 0..=10 {
+            for j in 0..2 {
+                let (x, y) = (wide * 0.1 * f64::from(i), low + f64::from(j));
+                writeln!(deck, "{}, {x:?}, {y:?}", base + 1 + 2 * i + j).unwrap();
+            }
+        }
+    }
+    for (base, set) in [(0, "LOWER"), (100, "UPPER")] {
+        writeln!(deck, "*ELEMENT, TYPE=CPE4, ELSET={set}").unwrap();
+        for i in 0..10 {
+            let at = base + 1 + 2 * i;
+            writeln!(deck, "{}, {at}, {}, {}, {}", base + 1 + i, at + 2, at + 3, at + 1).unwrap();
+        }
+        writeln!(deck, "*SOLID SECTION, ELSET={set}, MATERIAL=M").unwrap();
+    }
+    deck.push_str("*MATERIAL, NAME=M\n*ELASTIC\n1000.0, 0.3\n*SURFACE, NAME=FOOT\nUPPER, S1\n*SURFACE, NAME=TOP\n");
+    deck.push_str(
+        "LOWER, S3\n*SURFACE INTERACTION, NAME=I\n*CONTACT PAIR, INTERACTION=I\nFOOT, TOP\n",
+    );
+    let odd: Vec<String> = (0..=10).map(|i| (1 + 2 * i).to_string()).collect();
+    let even: Vec<String> = (0..=10).map(|i| (102 + 2 * i).to_string()).collect();
+    writeln!(deck, "*NSET, NSET=BASE\n{}", odd.join(", ")).unwrap();
+    writeln!(deck, "*NSET, NSET=HEAD\n{}", even.join(", ")).unwrap();
+    // of axes turned by 90 degrees the first one is y, the second one -x
+    let (axes, along, down, way) = match turned {
+        true => ("*TRANSFORM, NSET=HEAD\n0.0, 1.0, 0.0, -1.0, 0.0, 0.0\n", 2, 1, -7.0),
+        false => ("", 1, 2, 7.0),
+    };
+    write!(
+        deck,
+        "{axes}*BOUNDARY\nBASE, 1, 2\n*STEP, NLGEOM\n*STATIC, DIRECT\n0.5, 1.0\n*BOUNDARY\n\
+         HEAD, {along}, {along}, {way:?}\nHEAD, {down}, {down}, -0.01\n*END STEP\n"
+    )
+    .unwrap();
+    deck
+}
+
+/// Requirement: motions along axes of their own are advised on as the same ones along those of the model.
+#[test]
+fn advice_on_motions_along_own_axes() {
+    let folder = folder("check_own_axes");
+    let advice = |turned: bool| -> Vec<String> {
+        std::fs::write(folder.join("job.inp"), drawn(turned)).unwrap();
+        let output = slideline(&folder, &["check", "job"]);
+        let said = String::from_utf8(output.stderr).unwrap();
+        said.lines().filter(|line| line.starts_with("advice[")).map(str::to_owned).collect()
+    };
+    let (own, models) = (advice(true), advice(false));
+    assert!(models.iter().any(|line| line.contains("SL0405")), "{models:?}");
+    assert_eq!(own, models);
+}

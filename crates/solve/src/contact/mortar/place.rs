@@ -1,5 +1,6 @@
 //! The faces of a pair in a configuration, and their integrals.
 
+use super::super::coverage::{LEAST_AREA, Release};
 use super::super::pairs::Contact;
 use super::curves::{MasterCurve, curves};
 use super::slave::{Control, Mortar};
@@ -83,10 +84,6 @@ impl Sums {
     }
 }
 
-/// Part of the area of the node of a face that has most of it, which a node must have to carry
-/// contact of its own there [1].
-const LEAST_AREA: f64 = 0.05;
-
 impl Contact {
     /// Places the faces of the mortar of a pair at displacements `u`.
     pub fn place_mortar(&self, mortar: &Mortar, u: &[f64], room: &mut MortarRoom) {
@@ -142,6 +139,18 @@ impl MortarRoom {
                 }
             }
             state.shares[most] = Some(given);
+        }
+    }
+
+    /// What every point is let go by once less and less of it is covered.
+    pub fn releases(&self, mortar: &Mortar, into: &mut Vec<Option<Release>>) {
+        into.clear();
+        into.resize(mortar.of_point.len(), None);
+        for (place, own) in mortar.faces.iter().enumerate() {
+            let state = &self.faces[place];
+            let size = state.face(mortar, place).length();
+            let points = (&own.points[..own.count], &own.reference.areas()[..], state.is_covered);
+            Release::of_face(points, &self.areas, size, into);
         }
     }
 

@@ -1,5 +1,6 @@
 //! Room for contact that is spread over faces, used again and again.
 
+use super::super::coverage::Release;
 use super::place::MortarRoom;
 use slideline_mech::contact::pair::mortar::{Curve, FaceTangent, Place, SweepRoom};
 
@@ -10,6 +11,8 @@ pub struct MortarRooms {
     pub now: MortarRoom,
     /// At the last commit.
     pub before: MortarRoom,
+    /// What points were let go by then.
+    pub(super) releases: Vec<Option<Release>>,
     /// The displacements that `before` was placed at; empty: none yet.
     pub(super) placed_at: Vec<f64>,
     pub(super) pulled: Vec<Place<f64>>,
@@ -23,6 +26,7 @@ impl MortarRooms {
     /// Forgets where the faces stood.
     pub fn forget(&mut self) {
         self.placed_at.clear();
+        self.releases.clear();
     }
 }
 

@@ -10,6 +10,7 @@
 //! docs/theory.md eqs. (5.24) to (5.28)
 
 use super::super::before::Before;
+use super::super::coverage::{Allowed, Release};
 use super::super::kinematics::{ContactKinematics, PointRowsMut};
 use super::super::master::MasterSurface;
 use super::super::pairs::{Carrier, Contact};
@@ -46,6 +47,11 @@ impl Contact {
         self.laws[pair].normal.pressure(0.0).is_some()
     }
 
+    /// Whether nodes of a pair of which little is covered are let go: under a hard law that lets part.
+    pub(in crate::contact) fn lets_go(&self, pair: usize) -> bool {
+        !self.keeps[pair] && !self.is_soft(pair)
+    }
+
     /// Whether the tangent of some pair is not symmetric even without friction: where faces are
     /// covered in part, pressures change with areas that move. docs/theory.md eq. (5.29)
     pub fn has_soft_mortar(&self) -> bool {
@@ -63,6 +69,7 @@ impl Contact {
             let has_history = !before.u.is_empty() && !before.points.is_empty();
             if has_history && rooms.placed_at != before.u {
                 self.place_mortar(mortar, before.u, &mut rooms.before);
+                rooms.before.releases(mortar, &mut rooms.releases);
                 rooms.placed_at.clear();
                 rooms.placed_at.extend_from_slice(before.u);
             }
@@ -192,7 +199,8 @@ impl At<'_> {
         into.point.facing = None;
         into.point.footing = None;
         into.point.overclosure = -gap;
-        into.point.allow(self.contact.allowed_at(self.mortar.first + point));
+        let allowed = self.allowed((point, sums.area), rooms);
+        into.point.allow(allowed.overclosure);
         into.point.area = sums.area;
         into.point.normal = sums.normal.map(|x| -x);
         let width = rooms.unknowns.len();
@@ -200,7 +208,7 @@ impl At<'_> {
         let (row, rest) = rows.split_at_mut(width);
         let (slip, force) = rest.split_at_mut(width);
         let by_area = 1.0 / sums.area;
-        let depth = self.depth(-gap);
+        let depth = if self.contact.is_soft(self.mortar.pair) { -gap } else { allowed.by_area };
         let normal = Direction { normal: by_area, tangent: 0.0, area: -depth * by_area };
         self.pull(point, Asked::Gradient(normal), rooms, row);
         self.pull(point, Asked::Drag(by_area), rooms, force);
@@ -213,9 +221,12 @@ impl At<'_> {
         into.point.along = along.unwrap_or(Tangential::ZERO) + Tangential::along(way);
     }
 
-    /// What of an overclosure counts where the area changes: under a hard law there is none [L].
-    pub(super) fn depth(&self, overclosure: f64) -> f64 {
-        if self.contact.is_soft(self.mortar.pair) { overclosure } else { 0.0 }
+    /// What a point with that area [L2] is allowed: by the step, and by how little of it is covered.
+    pub(super) fn allowed(&self, (point, area): (usize, f64), rooms: &MortarRooms) -> Allowed {
+        let release = rooms.releases.get(point).copied().flatten();
+        let release = release.filter(|_| self.contact.lets_go(self.mortar.pair));
+        let by_step = self.contact.allowed_at(self.mortar.first + point);
+        release.unwrap_or(Release::HELD).at(area).and(by_step)
     }
 
     /// Slip of a point since the last commit [L]; its derivative is added to the row.

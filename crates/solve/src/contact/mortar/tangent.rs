@@ -29,15 +29,17 @@ impl Contact {
         let area = kinematics.area;
         room.by_area.clear();
         room.by_area.resize(m, 0.0);
+        let is_soft = self.is_soft(mortar.pair);
+        let allowed = at.allowed((place - mortar.first, area), rooms);
+        let depth = match is_soft {
+            true => kinematics.overclosure + kinematics.allowed,
+            false => allowed.by_area,
+        };
         for &(face, node) in mortar.of_point[place - mortar.first].iter().flatten() {
             let state = &rooms.now.faces[face];
             let Some(shares) = state.shares[node] else { continue };
             let of_face = state.face(mortar, face);
-            let forces = (
-                normal / area,
-                at.depth(kinematics.overclosure + kinematics.allowed),
-                tangential[0] / area,
-            );
+            let forces = (normal / area, depth, tangential[0] / area);
             room.sweep.tangent((&of_face, &state.segments), shares, forces, &mut room.of_face);
             let places = FIRST_MASTER + MOST_CONTROLS * state.curves.len();
             room.entries.clear();
@@ -57,7 +59,7 @@ impl Contact {
                     }
                 });
             }
-            if at.depth(1.0) > 0.0 {
+            if is_soft || allowed.bend != 0.0 {
                 at.note_area((state, face, shares), (kinematics, rooms), room);
             }
             let wide = 2 * places;
@@ -72,11 +74,12 @@ impl Contact {
         }
         // the area of a face that is covered in part changes too
         let pressure = normal / area;
-        let by_overclosure = kinematics.rows.normal();
+        let (by, factor) = match is_soft {
+            true => (kinematics.rows.normal(), pressure),
+            false => (&room.by_area[..], pressure * allowed.bend),
+        };
         for (row, &by_area) in tangent.chunks_exact_mut(m).zip(&room.by_area) {
-            for (entry, &by) in row.iter_mut().zip(by_overclosure) {
-                *entry -= pressure * by_area * by;
-            }
+            row.iter_mut().zip(by).for_each(|(entry, by)| *entry -= factor * by_area * by);
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The faces of a pair in a configuration, and their integrals.
 
+use super::super::coverage::{LEAST_AREA, Release};
 use super::super::master::MasterSurface;
 use super::super::pairs::Contact;
 use super::slave::{FaceMortar, SlaveFace};
@@ -43,9 +44,6 @@ pub struct FaceRoom {
     areas: Vec<f64>,
 }
 
-/// Part of the area of the corner of a face that has most of it, which a corner must have to carry
-/// contact of its own there [1].
-const LEAST_AREA: f64 = 0.05;
 /// Part of a face by which what bulges is looked for beside it [1].
 const BULGE: f64 = 0.1;
 
@@ -182,6 +180,19 @@ impl FaceRoom {
             }
         });
         near.sort_unstable_by_key(|own| own.face);
+    }
+
+    /// What every point is let go by once less and less of it is covered.
+    pub fn releases(&self, mortar: &FaceMortar, into: &mut Vec<Option<Release>>) {
+        into.clear();
+        into.resize(mortar.of_point.len(), None);
+        for (own, state) in mortar.faces.iter().zip(&self.faces) {
+            let whole = state.places.corner_areas(&own.measure);
+            let points = &own.points[..corners(own.count)];
+            let size = whole[..points.len()].iter().sum::<f64>().sqrt();
+            let points = (points, &whole[..], !state.overlaps.is_empty());
+            Release::of_face(points, &self.areas, size, into);
+        }
     }
 
     /// Gives the functions of corners that have next to nothing of a face left to a corner beside them.

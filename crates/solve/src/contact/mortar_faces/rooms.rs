@@ -1,5 +1,6 @@
 //! Room for contact that is spread over faces in space, used again and again.
 
+use super::super::coverage::Release;
 use super::place::FaceRoom;
 use slideline_mech::contact::pair::Footing;
 use slideline_mech::contact::pair::mortar_faces::{Place, Standing, SweepRoom, Swept};
@@ -13,6 +14,8 @@ pub struct FaceMortarRooms {
     pub now: FaceRoom,
     /// At the last commit.
     pub before: FaceRoom,
+    /// What points were let go by then.
+    pub(super) releases: Vec<Option<Release>>,
     /// The displacements that `before` was placed at; empty: none yet.
     pub(super) placed_at: Vec<f64>,
     /// Derivatives of the integrals of every overlap by its nodes.
@@ -50,6 +53,7 @@ impl FaceMortarRooms {
     /// Forgets where the faces stood.
     pub fn forget(&mut self) {
         self.placed_at.clear();
+        self.releases.clear();
     }
 }
 

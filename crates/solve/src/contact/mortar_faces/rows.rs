@@ -10,6 +10,7 @@
 //! docs/theory.md eqs. (5.33) to (5.38)
 
 use super::super::before::Before;
+use super::super::coverage::{Allowed, Release};
 use super::super::kinematics::{ContactKinematics, PointRowsMut};
 use super::super::master::MasterSurface;
 use super::super::pairs::{Carrier, Contact};
@@ -46,6 +47,7 @@ impl Contact {
             let has_history = !before.u.is_empty() && !before.points.is_empty();
             if has_history && rooms.placed_at != before.u {
                 self.place_face_mortar(mortar, before.u, &mut rooms.before);
+                rooms.before.releases(mortar, &mut rooms.releases);
                 rooms.placed_at.clear();
                 rooms.placed_at.extend_from_slice(before.u);
             }
@@ -206,7 +208,8 @@ impl At<'_> {
         into.point.faces = true;
         into.point.facing = None;
         into.point.overclosure = overclosure;
-        into.point.allow(self.contact.allowed_at(self.mortar.first + point));
+        let allowed = self.allowed((point, sums.area), rooms);
+        into.point.allow(allowed.overclosure);
         into.point.area = sums.area;
         into.point.normal = standing.footing.normal;
         let width = rooms.unknowns.len();
@@ -214,7 +217,8 @@ impl At<'_> {
         let (normal, rest) = rows.split_at_mut(width);
         let (slips, forces) = rest.split_at_mut(2 * width);
         let by_area = 1.0 / sums.area;
-        let depth = self.depth(overclosure);
+        let is_soft = self.contact.is_soft(self.mortar.pair);
+        let depth = if is_soft { overclosure } else { allowed.by_area };
         let rubs = slip.is_some_and(|(_, _, rubs)| rubs);
         self.each_overlap(point, rooms, rubs, |corner, whole, gradients| {
             let lists =
@@ -244,9 +248,12 @@ impl At<'_> {
         }
     }
 
-    /// What of an overclosure counts where the area changes: under a hard law there is none [L].
-    pub(super) fn depth(&self, overclosure: f64) -> f64 {
-        if self.contact.is_soft(self.mortar.pair) { overclosure } else { 0.0 }
+    /// What a point with that area [L2] is allowed: by the step, and by how little of it is covered.
+    pub(super) fn allowed(&self, (point, area): (usize, f64), rooms: &FaceMortarRooms) -> Allowed {
+        let release = rooms.releases.get(point).copied().flatten();
+        let release = release.filter(|_| self.contact.lets_go(self.mortar.pair));
+        let by_step = self.contact.allowed_at(self.mortar.first + point);
+        release.unwrap_or(Release::HELD).at(area).and(by_step)
     }
 
     /// Calls with the overlaps of the corners whose functions a point has, and their derivatives.

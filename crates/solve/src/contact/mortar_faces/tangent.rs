@@ -23,6 +23,8 @@ struct Acting {
     pressure: f64,
     /// What of its overclosure counts where the area changes [L].
     depth: f64,
+    /// How that changes with the area under a hard law [1/L]; `None`: with the overclosure, under a softened one.
+    bend: Option<f64>,
     /// Traction [F/L2].
     traction: Vector,
 }
@@ -45,7 +47,7 @@ impl Contact {
                     let place = mortar.first + point;
                     let (own, standing) = (kinematics.at(place), rooms.standings.get(point)?.now?);
                     let forces = forces(place).filter(|_| own.faces)?;
-                    Some(at.acting(&own, &standing, forces))
+                    Some(at.acting((&own, point), &standing, forces, rooms))
                 });
                 at.add_face((face, &acting), &rooms.now, &mut scratch.face_mortar, &mut add);
             }
@@ -65,18 +67,12 @@ impl Contact {
         let at = At { contact: self, mortar };
         let point = place - mortar.first;
         let Some(standing) = rooms.standings.get(point).and_then(|own| own.now) else { return };
-        let acting = at.acting(kinematics, &standing, forces);
+        let acting = at.acting((kinematics, point), &standing, forces, rooms);
         let tractions = (1.0 / kinematics.area) * forces.1;
         let GeometryScratch { tangent, face_mortar: room, columns, .. } = scratch;
         list_columns(kinematics, columns);
-        if acting.depth != 0.0 {
-            at.add_areas(
-                point,
-                acting.pressure,
-                &rooms.now,
-                (columns, room),
-                (tangent, kinematics),
-            );
+        if acting.bend != Some(0.0) {
+            at.add_areas(point, &acting, &rooms.now, (columns, room), (tangent, kinematics));
         }
         if tractions != Tangential::ZERO {
             let turning = (&standing, tractions);
@@ -100,15 +96,23 @@ impl At<'_> {
     /// What acts on a point under a normal and a tangential force [F].
     fn acting(
         &self,
-        point: &PointRows<'_>,
+        (point, place): (&PointRows<'_>, usize),
         standing: &Standing,
         (normal, tangential): (f64, Tangential),
+        rooms: &FaceMortarRooms,
     ) -> Acting {
+        let (depth, bend) = if self.contact.is_soft(self.mortar.pair) {
+            (point.overclosure + point.allowed, None)
+        } else {
+            let allowed = self.allowed((place, point.area), rooms);
+            (allowed.by_area, Some(allowed.bend))
+        };
         let [first, second] = standing.directions();
         let [along_first, along_second] = tangential.0.map(|force| force / point.area);
         Acting {
             pressure: normal / point.area,
-            depth: self.depth(point.overclosure + point.allowed),
+            depth,
+            bend,
             traction: add(scale(first, along_first), scale(second, along_second)),
         }
     }
@@ -152,7 +156,7 @@ impl At<'_> {
     fn add_areas(
         &self,
         point: usize,
-        pressure: f64,
+        acting: &Acting,
         now: &FaceRoom,
         (columns, room): (&[usize], &mut FaceScratch),
         (tangent, kinematics): (&mut [f64], &PointRows<'_>),
@@ -178,10 +182,12 @@ impl At<'_> {
                 }
             }
         }
-        let by_overclosure = kinematics.rows.normal();
+        let (by, factor) = match acting.bend {
+            None => (kinematics.rows.normal(), acting.pressure),
+            Some(bend) => (&room.by_area[..], acting.pressure * bend),
+        };
         for (row, &by_area) in tangent.chunks_exact_mut(m).zip(&room.by_area) {
-            let factor = pressure * by_area;
-            row.iter_mut().zip(by_overclosure).for_each(|(entry, by)| *entry -= factor * by);
+            row.iter_mut().zip(by).for_each(|(entry, by)| *entry -= factor * by_area * by);
         }
     }
 

@@ -39,6 +39,15 @@ pub struct MortarFace<'a, R> {
     pub curves: &'a [Curve<R>],
 }
 
+impl MortarFace<'_, f64> {
+    /// Its length from end to end [L].
+    pub fn length(&self) -> f64 {
+        let [first, last] = [0, 1].map(|end| self.curve().end(end));
+        let [x, y] = sub(last, first);
+        x.hypot(y)
+    }
+}
+
 impl<R: Real> MortarFace<'_, R> {
     /// The face as a curve.
     pub fn curve(&self) -> Curve<R> {
