@@ -63,7 +63,7 @@ pub(crate) struct Draft {
     pub node_sets_of_elements: Vec<(String, Named)>,
     pub elements: Vec<Element>,
     /// Whether one of them moves in space.
-    spatial: bool,
+    pub spatial: bool,
     pub element_by_label: Numbered<u64, usize>,
     pub sections: Vec<Section>,
     pub materials: Vec<Material>,
@@ -263,7 +263,7 @@ impl Draft {
         self.spatial |= kind.is_spatial();
     }
 
-    /// Whether an element moves in space, not in a plane alone.
+    /// Whether the model moves in space, not in a plane alone.
     pub fn is_spatial(&self) -> bool {
         self.spatial
     }

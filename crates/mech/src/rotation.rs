@@ -129,6 +129,37 @@ pub fn along_vector<R: Real>(phi: &[R; 3], moment: &[R; 3]) -> [R; 3] {
     std::array::from_fn(|k| moment[k] - b * once[k] + c * twice[k])
 }
 
+/// The moment `m` [F L] whose share T(phi)' m works on a rotation vector: the inverse of
+/// [`along_vector`], docs/theory.md eq. (4.15).
+pub fn moment_of_share(phi: [f64; 3], share: [f64; 3]) -> [f64; 3] {
+    let once = cross(&phi, &share);
+    if once == [0.0; 3] {
+        return share;
+    }
+    let twice = cross(&phi, &once);
+    let d = inverse_coefficient(phi.iter().map(|part| part * part).sum());
+    std::array::from_fn(|k| share[k] + 0.5 * once[k] + d * twice[k])
+}
+
+/// (1 - (t/2) cot(t/2))/t^2 as a function of s = t^2.
+fn inverse_coefficient(s: f64) -> f64 {
+    if s >= SMALL {
+        let half = 0.5 * s.sqrt();
+        return (1.0 - half / half.tan()) / s;
+    }
+    // |B_2n| s^(n-1)/(2n)!, n from 1, with Bernoulli's numbers
+    const TERMS: [f64; 7] = [
+        1.0 / 12.0,
+        1.0 / 720.0,
+        1.0 / 30_240.0,
+        1.0 / 1_209_600.0,
+        1.0 / 47_900_160.0,
+        691.0 / 1_307_674_368_000.0,
+        1.0 / 74_724_249_600.0,
+    ];
+    TERMS.iter().rev().fold(0.0, |sum, term| sum * s + term)
+}
+
 /// Derivatives of T(phi)' m by phi, a row for each component [F L].
 pub fn along_vector_slopes(phi: [f64; 3], moment: [f64; 3]) -> [[f64; 3]; 3] {
     let fixed = moment.map(Second::<3>::from_f64);
@@ -193,6 +224,23 @@ mod tests {
         let length = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>();
         let turned = [arm[0] + x, arm[1] + y, arm[2] + z];
         assert!((length(turned) - length(arm)).abs() < 1e-15);
+    }
+
+    /// Requirement: the moment of a share is the one whose share it is, on both sides of the border
+    /// between series and formula, and at rest; along the axis it is the share itself. 1e-13.
+    #[test]
+    fn moments_of_shares() {
+        let moment = [1.5, 0.4, -0.8];
+        for phi in
+            [[0.0; 3], [1e-9, 0.0, 2e-9], [0.28, -0.1, 0.4], [0.3, 0.39, -0.1], [1.9, -1.4, 2.1]]
+        {
+            let found = moment_of_share(phi, along_vector(&phi, &moment));
+            for k in 0..3 {
+                assert!((found[k] - moment[k]).abs() < 1e-13, "{phi:?} {found:?}");
+            }
+        }
+        let full = [0.0, 0.0, 2.0 * std::f64::consts::PI];
+        assert_eq!(moment_of_share(full, [0.0, 0.0, 3.0]), [0.0, 0.0, 3.0]);
     }
 
     /// Requirement: slopes and curvature are derivatives of the displacement, on both sides of the

@@ -23,6 +23,9 @@ pub struct Model {
     pub heading: String,
     /// Reading of ambiguous keywords.
     pub dialect: Dialect,
+    /// Whether its nodes move in space though the types of its elements do not say so: springs,
+    /// gaps and rigid meshes alone.
+    pub in_space: bool,
     /// All nodes.
     pub nodes: Nodes,
     /// Named node sets, members in order.
@@ -110,10 +113,10 @@ impl Model {
         self.steps.iter().any(|step| !step.presence.is_whole())
     }
 
-    /// Whether an element moves out of the plane.
+    /// Whether its nodes move in space, not in a plane alone.
     pub fn is_in_space(&self) -> bool {
-        let outside = |block: &ElementBlock| block.kind.dofs.iter().any(|dof| !dof.is_plane());
-        self.blocks.iter().any(outside)
+        let outside = |block: &ElementBlock| block.dofs().iter().any(|dof| !dof.is_plane());
+        self.in_space || self.blocks.iter().any(outside)
     }
 
     /// Whether the plane of the model is half a section of parts that go all round axis 2.

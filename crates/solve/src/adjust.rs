@@ -32,7 +32,7 @@ fn adjust_pair(place: usize, model: &mut Model) -> Vec<Diagnostic> {
     let of_nodes = matches!(pair.adjust, Adjust::Within(_) | Adjust::Nodes(_));
     let is_sampled = match pair.formulation {
         Formulation::NodeToSurface => true,
-        Formulation::Mortar => !of_nodes,
+        Formulation::Mortar => !of_nodes && !has_nodes_between(pair),
         Formulation::SurfaceToSurface => false,
     };
     if is_sampled {
@@ -55,6 +55,13 @@ fn adjust_pair(place: usize, model: &mut Model) -> Vec<Diagnostic> {
         model.nodes.place(node, sampled.nodes.position(node));
     }
     said
+}
+
+/// Whether faces have nodes without a contact point of their own: middle nodes in space. A mean gap
+/// of such a face hangs on all its nodes, and its corners alone cannot bring it about.
+fn has_nodes_between(pair: &ContactPair) -> bool {
+    let points: HashSet<NodeIndex> = pair.slave_nodes().into_iter().collect();
+    pair.faces.iter().flat_map(|face| &face.nodes).any(|node| !points.contains(node))
 }
 
 /// The elements along which contact is integrated, those of three-node beams from node to node.

@@ -4,6 +4,7 @@ use crate::account::account;
 use crate::constraints::Role;
 use crate::contact::{Before, Contact, ContactKinematics, MasterPositions};
 use crate::dofs::DofMap;
+use crate::moments::into_moments;
 use crate::newton::Scratch;
 use crate::observe::results::ContactRow;
 use crate::problem::Problem;
@@ -59,6 +60,10 @@ pub fn commit(
     trial.flux[0].commit(evaluation.flux.mean_force(), controls);
     trial.flux[1].commit(evaluation.flux.mean_moment(), controls);
     account(plan, committed, work, trial);
+    // reactions of rotations that count from a new start are what works on these
+    let axes = plan.constraints.motion.axes();
+    let ended = (&trial.displacement[..], &committed.turns[..]);
+    into_moments((plan.dofs, axes), ended, Some(&trial.turns), &mut trial.reaction);
 }
 
 /// What is free and returns to rest is at rest once its displacement is far

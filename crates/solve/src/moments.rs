@@ -6,8 +6,10 @@
 //! docs/theory.md eq. (4.15).
 
 use crate::constraints::Rows;
+use crate::dofs::DofMap;
 use crate::problem::Problem;
 use slideline_linalg::Kind;
+use slideline_mech::axes::Axes;
 use slideline_mech::rotation;
 use slideline_mech::turn::Turn;
 use slideline_model::{Dof, NodeIndex};
@@ -30,22 +32,46 @@ fn turned<'a>(
 ) -> impl Iterator<Item = Turned> + 'a {
     let nodes = plan.dofs.rotations_in_space().filter(|_| plan.step.nlgeom);
     nodes.filter_map(move |(node, dofs)| {
-        let moment = moment(plan, load, (node, dofs));
+        let moment = moment((plan.dofs, plan.constraints.motion.axes()), load, (node, dofs));
         let vector = || turns.get(node).unwrap_or(&Turn::REST).vector(dofs.map(|dof| u[dof]));
         (moment != [0.0; 3]).then(|| Turned { dofs, vector: vector(), moment })
     })
 }
 
 /// The moment on a node, along the axes of the model: that on its dofs, and that along its own axes.
-fn moment(plan: &Problem<'_>, load: &[f64], (node, dofs): (NodeIndex, [usize; 3])) -> [f64; 3] {
+fn moment(
+    (map, axes): (&DofMap, &[Axes]),
+    load: &[f64],
+    (node, dofs): (NodeIndex, [usize; 3]),
+) -> [f64; 3] {
     let mut moment = dofs.map(|dof| load[dof]);
-    let Some(place) = plan.dofs.place_of_turned(node) else { return moment };
-    let axes = &plan.constraints.motion.axes()[place];
+    let Some(axes) = map.place_of_turned(node).and_then(|place| axes.get(place)) else {
+        return moment;
+    };
     for (axis, kind) in axes.iter().zip([Dof::UR1, Dof::UR2, Dof::UR3]) {
-        let Some(named) = plan.dofs.named(node, kind) else { continue };
+        let Some(named) = map.named(node, kind) else { continue };
         (0..3).for_each(|k| moment[k] += axis[k] * load[named]);
     }
     moment
+}
+
+/// Puts moments about fixed axes [F L] in place of what works on the rotations `u` of nodes in
+/// space, T'm; of all, or of those that count from somewhere else than in `now`.
+pub fn into_moments(
+    (map, axes): (&DofMap, &[Axes]),
+    (u, turns): (&[f64], &[Turn]),
+    now: Option<&[Turn]>,
+    forces: &mut [f64],
+) {
+    for (node, dofs) in map.rotations_in_space() {
+        let turn = turns.get(node).unwrap_or(&Turn::REST);
+        if now.is_some_and(|now| now.get(node).unwrap_or(&Turn::REST) == turn) {
+            continue;
+        }
+        let share = moment((map, axes), forces, (node, dofs));
+        let moment = rotation::moment_of_share(turn.vector(dofs.map(|dof| u[dof])), share);
+        (0..3).for_each(|k| forces[dofs[k]] += moment[k] - share[k]);
+    }
 }
 
 /// Calls back with what moments do to the rotations of their nodes beyond what the loads say:

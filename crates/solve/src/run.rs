@@ -9,6 +9,7 @@ mod neighbours;
 mod opening;
 pub(crate) mod options;
 mod recovery;
+mod released_moments;
 mod sensitivities;
 mod shown;
 mod sliding_off;

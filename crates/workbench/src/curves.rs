@@ -119,10 +119,10 @@ impl Curves {
                     let known = along.iter().find(|own| own.0 == dof && !dof.is_rotation());
                     let alone = [node];
                     let nodes = known.map_or(&alone[..], |own| &own.1);
-                    nodes.iter().map(|&node| frame.nodal.load(node, dof)).sum()
+                    nodes.iter().map(|&node| frame.nodal.named(node, dof)[2]).sum()
                 };
                 let own = |&(node, dof): &(NodeIndex, Dof)| {
-                    [frame.nodal.displacement(node, dof), total(dof, node)]
+                    [frame.nodal.named(node, dof)[0], total(dof, node)]
                 };
                 points.iter().map(own).collect()
             }
@@ -130,10 +130,12 @@ impl Curves {
     }
 }
 
+/// The motion of the first node and the sum of the reactions of all, along the axes in which the
+/// deck names the motion.
 fn reaction(own: &Driven, frame: &Frame<'_>) -> [f64; 2] {
-    let motion = own.nodes.first().map(|&node| frame.nodal.displacement(node, own.dof));
-    let forces = own.nodes.iter().map(|&node| frame.nodal.reaction(node, own.dof));
-    [motion.unwrap_or(0.0), forces.sum()]
+    let mut named = own.nodes.iter().map(|&node| frame.nodal.named(node, own.dof));
+    let [motion, first, _] = named.next().unwrap_or_default();
+    [motion, first + named.map(|[_, reaction, _]| reaction).sum::<f64>()]
 }
 
 /// Nodes under pressure, evenly chosen where there are many, along every axis.

@@ -88,7 +88,8 @@ impl Hook {
             _ => return None,
         };
         let driven = model.driven().into_iter().next()?;
-        if driven.nodes != [surface.reference] || model.is_in_space() {
+        let has_own_axes = driven.nodes.iter().any(|&node| model.axes_of(node).is_some());
+        if driven.nodes != [surface.reference] || has_own_axes || model.is_in_space() {
             return None;
         }
         let mut beams = model.blocks.iter().filter_map(|block| block.beams());

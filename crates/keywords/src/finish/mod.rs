@@ -11,6 +11,7 @@ mod changed_sections;
 mod clearances;
 mod contact;
 mod coupling;
+mod dimension;
 mod distributed;
 mod distributing;
 mod equations;
@@ -82,6 +83,7 @@ use crate::parts::renumber;
 /// or there are no cards at all.
 pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     draft.end_parts();
+    dimension::dimension(draft);
     nodes::sets(draft);
     nodes::elements(draft);
     reference_nodes::reference_nodes(draft);

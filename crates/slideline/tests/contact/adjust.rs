@@ -199,10 +199,11 @@ LOWER, 1, 3
 
 /// Requirement: of quadratic faces that contact is spread over every node is moved by its own
 /// distance, middle nodes too: with corners 0.004 and middle nodes 0.012 away, 0.02 moves all of
-/// them and 0.01 the corners.
+/// them and 0.01 the corners. A clearance too is one of every node: mean gaps alone, brought about by
+/// the corners, moved these by several tenths.
 #[test]
 fn nodes_of_quadratic_faces_are_moved_one_by_one() {
-    let moved = |distance: &str| -> Vec<f64> {
+    let placed = |adjust: &str, clearance: &str| -> Vec<f64> {
         let mut deck = String::from(
             "*NODE\n1, -1.0, -1.0, -1.0\n2, 2.0, -1.0, -1.0\n3, 2.0, 2.0, -1.0\n4, -1.0, 2.0, -1.0\n\
              5, -1.0, -1.0, 0.0\n6, 2.0, -1.0, 0.0\n7, 2.0, 2.0, 0.0\n8, -1.0, 2.0, 0.0\n",
@@ -232,16 +233,22 @@ LOWER, S2
 *SURFACE INTERACTION, NAME=I
 ";
         deck += &format!(
-            "*CONTACT PAIR, INTERACTION=I, TYPE=SURFACE TO SURFACE, ADJUST={distance}\nDOWN, UP\n\
-             *STEP\n*STATIC\n1.0, 1.0\n*END STEP\n"
+            "*CONTACT PAIR, INTERACTION=I, TYPE=SURFACE TO SURFACE{adjust}\nDOWN, UP\n\
+             {clearance}*STEP\n*STATIC\n1.0, 1.0\n*END STEP\n"
         );
         let read = Job::read_text("blocks", &deck, &ReadOptions::default());
         let model = read.model.unwrap_or_else(|| panic!("{:#?}", read.diagnostics));
         let height = |label| model.nodes.position(model.nodes.find(label).unwrap())[2];
         (11..15).chain(19..23).map(height).collect()
     };
+    let moved = |distance: &str| placed(&format!(", ADJUST={distance}"), "");
     assert!(moved("0.02").iter().all(|z| z.abs() < 1e-13), "{:?}", moved("0.02"));
     let near = moved("0.01");
     assert!(near[..4].iter().all(|z| z.abs() < 1e-13), "{near:?}");
     assert!(near[4..].iter().all(|z| *z == 0.012), "{near:?}");
+    for gap in [0.003, -0.002] {
+        let clearance = format!("*CLEARANCE, SLAVE=DOWN, MASTER=UP, VALUE={gap}\n");
+        let heights = placed("", &clearance);
+        assert!(heights.iter().all(|z| (z - gap).abs() < 1e-13), "{heights:?}");
+    }
 }

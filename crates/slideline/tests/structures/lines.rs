@@ -285,3 +285,48 @@ fn gaps_that_cannot_be() {
     let read = Job::read_text("gap", bare, &ReadOptions::default());
     assert!(format!("{:?}", read.diagnostics).contains("stiffness of the gap is missing"));
 }
+
+/// Requirement: springs and gaps alone move in space where they leave the plane: by their nodes, by
+/// the dof that they resist, by their direction. Source: closed forms. 1e-9.
+#[test]
+fn springs_and_gaps_alone_in_space() {
+    // three springs along the edges of a corner, pressed inwards along its diagonal
+    let corner = "*NODE\n1, 1., 0., 0.\n2, 0., 1., 0.\n3, 0., 0., 1.\n4, 0., 0., 0.\n*ELEMENT, \
+                  TYPE=SPRINGA, ELSET=S\n1, 1, 4\n2, 2, 4\n3, 3, 4\n*SPRING, ELSET=S\n\n100.\n\
+                  *STEP\n*STATIC\n1., 1.\n*BOUNDARY\n1, 1, 3\n2, 1, 3\n3, 1, 3\n*CLOAD\n4, 1, 1.\n\
+                  4, 2, 2.\n4, 3, 3.\n*END STEP\n";
+    let moved = run(corner)[&4][0];
+    for (axis, u) in moved.iter().take(3).enumerate() {
+        assert!((u - 0.01 * (axis + 1) as f64).abs() < 1e-9, "{moved:?}");
+    }
+    // along axis 3 and about axis 1, all nodes in the plane
+    let kinds = |dof: u32| {
+        format!(
+            "*NODE\n1, 0., 0.\n2, 1., 0.\n*ELEMENT, TYPE=SPRING1, ELSET=G\n1, 1\n*ELEMENT, \
+             TYPE=SPRING2, ELSET=S\n2, 1, 2\n*SPRING, ELSET=G\n{dof}\n50.\n*SPRING, ELSET=S\n{dof}, \
+             {dof}\n100.\n*STEP\n*STATIC\n1., 1.\n*CLOAD\n2, {dof}, 2.\n*END STEP\n"
+        )
+    };
+    for dof in [3, 4] {
+        let end = run(&kinds(dof));
+        let [u1, u2] = [1, 2].map(|node| end[&node][0][dof as usize - 1]);
+        assert!((u1 - 0.04).abs() < 1e-9 && (u2 - 0.06).abs() < 1e-9, "{dof}: {u1} {u2}");
+    }
+    // a gap along axis 3, its nodes in one place, and a mass and a damper beside it
+    let gap = "*NODE\n1, 0., 0., 2.\n2, 0., 0., 2.\n*ELEMENT, TYPE=GAPUNI, ELSET=G\n1, 1, 2\n\
+               *ELEMENT, TYPE=DASHPOTA, ELSET=D\n2, 1, 2\n*GAP, ELSET=G\n.1, 0., 0., 1., , 1000.\n\
+               *STEP\n*STATIC\n1., 1.\n*BOUNDARY\n1, 1, 6\n2, 1, 2\n2, 3, 3, -.2\n*END STEP\n";
+    let force = run(gap)[&2][1][2];
+    assert!((force + 100.0).abs() < 1e-9, "{force}");
+}
+
+/// Requirement: springs whose nodes lie in a plane z = constant stay a plane model, and so do
+/// tables of springs whatever their forces.
+#[test]
+fn springs_in_a_plane_stay_there() {
+    let deck = "*NODE\n1, 0., 0., 1.\n2, 1., 0., 1.\n*ELEMENT, TYPE=SPRINGA, ELSET=S\n1, 1, 2\n\
+                *SPRING, ELSET=S, NONLINEAR\n\n3., 0.\n4., 1.\n*STEP\n*STATIC\n1., 1.\n*BOUNDARY\n\
+                1, 1, 2\n2, 1, 2\n*END STEP\n";
+    let read = Job::read_text("plane", deck, &ReadOptions::default());
+    assert!(!read.model.unwrap_or_else(|| panic!("{:?}", read.diagnostics)).is_in_space());
+}

@@ -22,6 +22,7 @@ mod loads;
 mod loads_over_steps;
 mod middle_nodes;
 mod model_change;
+mod moments_of_turned_nodes;
 mod parts;
 mod rubber;
 mod solids;

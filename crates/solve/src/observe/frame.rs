@@ -4,6 +4,8 @@ use super::results::{BeamRow, BlockResults, ContactRow, Energies, PairRow, Secti
 use crate::dofs::DofMap;
 use slideline_mech::axes::{self, Axes};
 use slideline_mech::element::Temperature;
+use slideline_mech::rotation;
+use slideline_mech::turn::Turn;
 use slideline_model::{Dof, Model, NodeIndex};
 
 /// A committed state, borrowed.
@@ -67,6 +69,9 @@ impl Unconverged<'_> {
     }
 }
 
+/// Dofs of a node that turns in space.
+const ROTATIONS: [Dof; 3] = [Dof::UR1, Dof::UR2, Dof::UR3];
+
 /// Nodal vectors of a frame; dofs that a model does not have read zero.
 #[derive(Clone, Copy, Debug)]
 pub struct Nodal<'a> {
@@ -77,6 +82,8 @@ pub struct Nodal<'a> {
     pub(crate) reaction: &'a [f64],
     pub(crate) load: &'a [f64],
     pub(crate) joined: &'a [f64],
+    /// What rotations in space count from, with large rotations; `None`: they are small.
+    pub(crate) turns: Option<&'a [Turn]>,
     pub(crate) temperatures: &'a [Temperature],
 }
 
@@ -117,9 +124,25 @@ impl Nodal<'_> {
     }
 
     /// Force or moment of the support on the model, along an axis of the model [F or F L]; zero
-    /// where nothing is prescribed.
+    /// where nothing is prescribed. docs/theory.md eq. (4.15).
     pub fn reaction(&self, node: NodeIndex, dof: Dof) -> f64 {
-        self.force(self.reaction, node, dof)
+        match self.moment(node, dof) {
+            Some(moment) => moment[dof as usize % 3],
+            None => self.force(self.reaction, node, dof),
+        }
+    }
+
+    /// The moment of the supports of a node that turns in space, along the axes of the model [F L];
+    /// `None`: what the supports do to the dof is that already.
+    fn moment(&self, node: NodeIndex, dof: Dof) -> Option<[f64; 3]> {
+        let turns = self.turns.filter(|_| dof.is_rotation())?;
+        let share = ROTATIONS.map(|dof| self.force(self.reaction, node, dof));
+        if share == [0.0; 3] || ROTATIONS.iter().any(|&dof| self.dofs.find(node, dof).is_none()) {
+            return None;
+        }
+        let angles = ROTATIONS.map(|dof| self.displacement(node, dof));
+        let vector = turns.get(node).unwrap_or(&Turn::REST).vector(angles);
+        Some(rotation::moment_of_share(vector, share))
     }
 
     /// Applied load along an axis of the model [F or F L].
@@ -154,8 +177,16 @@ impl Nodal<'_> {
     /// the node where it has axes of its own.
     pub fn named(&self, node: NodeIndex, dof: Dof) -> [f64; 3] {
         let moved = self.dofs.named(node, dof).map_or(0.0, |own| self.displacement[own]);
-        let [reaction, load] =
-            [self.reaction, self.load].map(|list| self.named_force(list, node, dof));
+        let load = self.named_force(self.load, node, dof);
+        let reaction = match self.moment(node, dof) {
+            Some(moment) => {
+                match self.dofs.place_of_turned(node).and_then(|own| self.axes.get(own)) {
+                    Some(own) => axes::along(own, moment)[dof as usize % 3],
+                    None => moment[dof as usize % 3],
+                }
+            }
+            None => self.named_force(self.reaction, node, dof),
+        };
         [moved, reaction, load]
     }
 
@@ -165,8 +196,8 @@ impl Nodal<'_> {
         let names = self.dofs.names().iter().take(self.dofs.plain()).enumerate();
         names.map(|(place, &(node, dof))| {
             let forces = match self.dofs.place_of_turned(node) {
-                Some(_) => [self.reaction(node, dof), self.load(node, dof)],
-                None => [self.reaction[place], self.load[place]],
+                None if !dof.is_rotation() => [self.reaction[place], self.load[place]],
+                _ => [self.reaction(node, dof), self.load(node, dof)],
             };
             (node, dof, [self.displacement[place], forces[0], forces[1]])
         })

@@ -67,6 +67,7 @@ impl Analysis<'_> {
         let returned = self.exerted((now, start), &change.returned, |dof, f| force[dof] += f);
         let returned = returned.map_err(|failed| self.collapsed(number, &failed))?;
         let numbering = &self.plan.steps[self.plan.of_step[now]].constraints;
+        self.let_go_of_moments(number, &mut force);
         ramp_off(force, numbering, (start, self.committed));
         let energy = &mut self.committed.energy;
         energy.strain_energy += returned.stored - removed.stored;

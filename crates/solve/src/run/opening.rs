@@ -18,6 +18,7 @@ impl Analysis<'_> {
         self.committed.stabilised = false;
         let own = self.plan.of_step[number - 1];
         start.take(self.committed, &self.plan.steps[own].constraints);
+        self.let_go_of_moments(number, start.released.to_mut());
         if number == 1 {
             self.begin_stressed(start);
         }

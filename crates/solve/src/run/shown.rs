@@ -108,6 +108,7 @@ pub(super) fn frame<'a>(
             reaction: &state.reaction,
             load: &state.load,
             joined: &rows.joined,
+            turns: plan.step.nlgeom.then_some(&state.turns[..]),
             temperatures: match state.temperatures.is_empty() {
                 true => &plan.model.initial_temperatures,
                 false => &state.temperatures,

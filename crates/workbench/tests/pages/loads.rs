@@ -99,3 +99,26 @@ fn pressures_and_moments_have_a_curve() {
     assert!(!said[0]["curves"].as_array().unwrap().is_empty(), "{}", said[0]["curves"]);
     assert!(said.last().unwrap()["figures"]["deflection"].as_f64().unwrap() > 0.0);
 }
+
+/// Requirement: what is driven or loaded along axes of `*TRANSFORM` has its curve along these: that of
+/// the model that is not turned. 1e-9.
+#[test]
+fn curves_are_along_the_axes_of_the_nodes() {
+    let driven = CANTILEVER.replace("*CLOAD\n11, 2, -4.0\n6, 2, -1.0\n", "11, 2, 2, -1.0\n");
+    for deck in [CANTILEVER, &driven] {
+        let turned = deck
+            .replace("11, 100.0, 0.0\n", "11, 80.0, 60.0\n")
+            .replace("*STEP", "*TRANSFORM, NSET=ALL\n0.8, 0.6, 0.0, -0.6, 0.8, 0.0\n*STEP");
+        let curves = [deck, &turned].map(|deck| {
+            let (mut bench, _) = opened("cantilever.inp", deck);
+            let (said, end) = end(&mut bench, &json!({}));
+            let place = end["places"]["curve"].as_u64().unwrap() as usize;
+            rows(&said).iter().map(|row| [row[3 + 2 * place], row[4 + 2 * place]]).collect()
+        });
+        let [plain, turned]: [Vec<[f64; 2]>; 2] = curves;
+        assert!(plain.len() == 5 && plain[4].iter().all(|value| value.abs() > 0.1), "{plain:?}");
+        for (a, b) in plain.iter().flatten().zip(turned.iter().flatten()) {
+            assert!((a - b).abs() < 1e-9, "{plain:?} {turned:?}");
+        }
+    }
+}
