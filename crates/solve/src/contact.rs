@@ -15,6 +15,7 @@ mod between;
 mod candidates;
 mod cliques;
 mod crossing;
+mod edge_crossings;
 mod edge_points;
 mod edges;
 mod faces;

@@ -9,6 +9,7 @@ mod change_friction;
 mod changed_properties;
 mod contact_in_space;
 mod contact_totals;
+mod crossing_edges;
 mod crosspoints;
 mod decaying_friction;
 mod field;
