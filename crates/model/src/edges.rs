@@ -12,6 +12,7 @@
 //! docs/theory.md section 5.17
 
 use crate::contact::{ContactElement, ContactPair, Formulation, Offset};
+use crate::edge_lines::crossing_edges;
 use crate::edge_pair::EdgePair;
 use crate::left_out::LeftOut;
 use crate::model::Model;
@@ -33,6 +34,8 @@ impl Model {
     pub fn find_edges(&mut self) {
         let pairs = self.contact_pairs.iter().enumerate();
         self.edge_pairs = pairs.flat_map(|(of, pair)| edges_of(self, (of, pair))).collect();
+        let pairs = self.contact_pairs.iter().enumerate();
+        self.crossing_edges = pairs.filter_map(|own| crossing_edges(self, own)).collect();
     }
 }
 

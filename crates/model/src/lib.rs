@@ -15,8 +15,10 @@
 mod amplitude;
 mod contact;
 mod controls;
+mod crossing_edges;
 mod dialect;
 mod driven;
+mod edge_lines;
 mod edge_pair;
 mod edges;
 mod element;
@@ -44,6 +46,7 @@ mod vocabulary;
 pub use amplitude::{Amplitude, Curve};
 pub use contact::{Adjust, ContactElement, ContactPair, Formulation, Interaction, Lumping, Offset};
 pub use controls::{Controls, FieldControls, TimeIncrementation};
+pub use crossing_edges::{CrossingEdges, EdgeLine, SharpEdge};
 pub use dialect::Dialect;
 pub use driven::Driven;
 pub use edge_pair::EdgePair;

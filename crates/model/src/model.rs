@@ -2,6 +2,7 @@
 
 use crate::amplitude::Amplitude;
 use crate::contact::ContactPair;
+use crate::crossing_edges::CrossingEdges;
 use crate::dialect::Dialect;
 use crate::edge_pair::EdgePair;
 use crate::element::block::{Allowable, ElementBlock};
@@ -48,6 +49,8 @@ pub struct Model {
     pub contact_pairs: Vec<ContactPair>,
     /// Sharp edges of their surfaces ([`Model::find_edges`]).
     pub edge_pairs: Vec<EdgePair>,
+    /// Lines of these that may cross one another in space.
+    pub crossing_edges: Vec<CrossingEdges>,
     /// When friction is called after a change of contact.
     pub friction_onset: Onset,
     /// Temperatures before the first step, a node each; empty: all are zero.

@@ -41,7 +41,13 @@ pub fn pair_rows(
         let kinematics = work.evaluation.kinematics.at(place);
         let standoff = plan.contact.standoff_of(point);
         match point.is_spread() {
-            true => row.press_faces(plan, state, (point.pair, now), &kinematics),
+            true => {
+                row.press_nodes(plan, state, (point.pair, now), &kinematics);
+                row.cover(now);
+            }
+            false if plan.contact.is_crossing(place) => {
+                row.press_nodes(plan, state, (point.pair, now), &kinematics);
+            }
             false if plan.contact.is_edge(place) => row.press_edge(plan, place, now, &kinematics),
             false if point.is_node() => {
                 row.press_node(plan, (point.node, standoff), now, &kinematics);
@@ -51,7 +57,7 @@ pub fn pair_rows(
         let law = &plan.contact.laws_of(point.pair, now).normal;
         row.energy += now.area * law.energy(-now.opening);
         if -now.opening > row.penetration {
-            (row.penetration, row.deepest) = (-now.opening, Some(point.node));
+            (row.penetration, row.deepest) = (-now.opening, Some(plan.contact.node_of(place, now)));
         }
         sums[pair].add(plan, state, now, &kinematics);
     }
@@ -103,9 +109,9 @@ impl PairRow {
         self.act(point.position, forces.map(|force| force.map(|own| sign * own)));
     }
 
-    /// The same of a point that is spread over faces: forces as they act on the nodes of the slave,
+    /// The same of a point that acts on many nodes, spread over faces or at a crossing of edges: forces as they act on the nodes of the slave,
     /// which where faces lie askew are not quite along its normals. docs/theory.md eq. (5.26)
-    fn press_faces(
+    fn press_nodes(
         &mut self,
         plan: &Problem<'_>,
         state: &State,
@@ -131,7 +137,6 @@ impl PairRow {
             );
             self.act(std::array::from_fn(|c| at[c] + moved[c]), forces);
         }
-        self.cover(point);
     }
 
     /// Adds forces of pressure and of friction at a place.

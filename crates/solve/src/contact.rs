@@ -16,6 +16,7 @@ mod candidates;
 mod cliques;
 mod coverage;
 mod crossing;
+mod edge_crossings;
 mod edge_points;
 mod edges;
 mod faces;

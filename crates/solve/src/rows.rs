@@ -44,7 +44,8 @@ fn edge_rows(contact: &Contact, state: &State, rows: &mut Vec<ContactRow>) {
         let row = row_of(point, &state.points[place], contact.parent(point.pair));
         let normal = row.normal.map(|own| sign * own);
         let directions = row.directions.map(|way| way.map(|own| sign * own));
-        rows.push(ContactRow { normal, directions, ..row });
+        let node = contact.node_of(place, &state.points[place]);
+        rows.push(ContactRow { node, normal, directions, ..row });
     }
 }
 

@@ -19,6 +19,7 @@ use super::tangential::{Tangential, TangentialMap};
 
 mod body;
 mod chain;
+mod edges;
 mod faces;
 pub mod mortar;
 pub mod mortar_faces;
@@ -30,6 +31,7 @@ mod tied;
 
 pub use body::Body;
 pub use chain::{chain_attachments, chain_gap, chain_overclosure};
+pub use edges::{EdgePoint, EdgesBefore};
 pub use faces::{FacePoint, FaceRoom, Footing};
 pub use nose::{Nose, Reach};
 pub use stencil::{AnyGap, Derivatives, StencilAttachments};

@@ -10,6 +10,7 @@ mod changed_properties;
 mod contact_in_space;
 mod contact_totals;
 mod covered_ends;
+mod crossing_edges;
 mod crosspoints;
 mod decaying_friction;
 mod field;

@@ -96,7 +96,7 @@ fn sliding_blocks_have_exact_tangents_and_balance() {
 
 /// Requirement: the force does not depend on which side is the slave, to one per cent of it on this
 /// coarse mesh of quadratic faces (measured: 0.57 %, the difference of two meshes as slave), to two with friction
-/// (1.7 %: ends that come out from under the master are let go step by step; theory, 5.18).
+/// (1.7 %: ends that come out from under the master are let go step by step; theory, 5.19).
 #[test]
 fn roles_change_little() {
     let force = |upper_is_slave: bool, friction: &'static str| -> Last {

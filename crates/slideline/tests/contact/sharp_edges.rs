@@ -113,6 +113,7 @@ fn run(deck: &str, with_edges: bool, check_tangent: TangentCheck) -> Last {
     let mut model = read.model.unwrap_or_else(|| panic!("{:#?}", read.diagnostics));
     if !with_edges {
         model.edge_pairs.clear();
+        model.crossing_edges.clear();
     }
     let mut last = Last { watched: 10_000, ..Last::default() };
     let options = SolveOptions { check_tangent, ..SolveOptions::default() };

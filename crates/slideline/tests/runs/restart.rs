@@ -333,3 +333,71 @@ fn what_was_left_hot_is_finished() {
     let text = std::fs::read_to_string(printed).unwrap();
     assert!(text.contains("NT11"), "{text}");
 }
+
+/// Two tetrahedra whose edges cross, pressed together and drawn along one another.
+const CROSSED: &str = "*RESTART, WRITE
+*NODE, NSET=ALL
+1, 0.1, -1.0, 0.0
+2, 0.1, 1.0, 0.0
+3, 1.1, 0.0, -1.0
+4, -0.9, 0.0, -1.0
+11, -1.0, 0.1, 0.0
+12, 1.0, 0.1, 0.0
+13, 0.0, 1.1, 1.0
+14, 0.0, -0.9, 1.0
+*ELEMENT, TYPE=C3D4, ELSET=E
+1, 1, 2, 3, 4
+2, 11, 12, 13, 14
+*SOLID SECTION, ELSET=E, MATERIAL=M
+*MATERIAL, NAME=M
+*ELASTIC
+100.0, 0.3
+*SURFACE, NAME=LOW
+1, S1
+1, S2
+*SURFACE, NAME=UP
+2, S1
+2, S2
+*SURFACE INTERACTION, NAME=I
+*FRICTION
+0.2
+*CONTACT PAIR, INTERACTION=I, TYPE=SURFACE TO SURFACE
+UP, LOW
+*STEP, NLGEOM
+*STATIC
+0.125, 1.0, , 0.125
+*BOUNDARY
+3, 1, 3
+4, 1, 3
+13, 1, 1, 0.2
+13, 2, 2, 0.1
+13, 3, 3, -0.05
+14, 1, 1, 0.2
+14, 2, 2, 0.1
+14, 3, 3, -0.05
+*OUTPUT, FIELD
+*CONTACT OUTPUT
+CSTRESS, CDISP
+*END STEP
+";
+
+/// Requirement: edges that cross go on with their friction where a run was left, to the bits of one that was not; their
+/// forces are in the sums of the pair and in its rows.
+#[test]
+fn what_was_left_with_edges_crossed_is_finished() {
+    let files = ["job.contact.csv", "job.pair.csv"];
+    finishes("crossed", CROSSED, &[&FILES[..], &files].concat());
+    let read = |name: &str| {
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("crossed").join(name);
+        std::fs::read_to_string(path).unwrap()
+    };
+    let of = |text: &str, column: &str| -> f64 {
+        let mut lines = text.lines();
+        let place = lines.next().unwrap().split(',').position(|own| own == column);
+        let place = place.unwrap_or_else(|| panic!("{column}: {text}"));
+        lines.last().unwrap().split(',').nth(place).unwrap().parse().unwrap()
+    };
+    let (pairs, points) = (read("job.pair.csv"), read("job.contact.csv"));
+    let (force, pressed) = (of(&pairs, "force_z"), of(&points, "CPRESS") * of(&points, "area"));
+    assert!(force > 0.01 && (force / pressed - 1.0).abs() < 0.1, "{force} {pressed}");
+}

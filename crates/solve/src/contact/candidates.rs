@@ -18,6 +18,7 @@ use super::pairs::{Carrier, Contact};
 use super::positions::{MasterPositions, distance};
 use crate::state::PointState;
 use slideline_mech::contact::search::outlook::Outlook;
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// Couplings of a pair from which on only those near are taken in.
@@ -112,9 +113,11 @@ impl Contact {
         }));
         let mut rooms: Vec<MortarRoom> = Vec::new();
         let mut face_rooms: Vec<FaceRoom> = Vec::new();
+        let mut crossings = BTreeMap::new();
         let beside = BESIDE << reached.len().saturating_sub(1).min(usize::BITS as usize / 2);
         for u in std::iter::once(here).chain(reached.iter().map(|state| &state.displacement[..])) {
             self.place_masters(u, positions);
+            self.near_crossings(u, &mut crossings);
             rooms.resize_with(self.mortars.len(), MortarRoom::default);
             for (mortar, room) in self.mortars.iter().zip(&mut rooms) {
                 self.place_mortar(mortar, u, room);
@@ -150,6 +153,7 @@ impl Contact {
                 }
             }
         }
+        all.extend(crossings.into_values().map(Candidates::Met));
         let met = reached.iter().flat_map(|state| &state.met);
         all.extend(met.map(|dofs| Candidates::Met(dofs.clone())));
     }

@@ -7,7 +7,7 @@
 //!       slave
 //! ```
 //!
-//! docs/theory.md section 5.18
+//! docs/theory.md section 5.19
 
 /// Part of the area of the node of a face that has most of it, which a node must have to carry
 /// contact of its own there [1].
@@ -30,7 +30,7 @@ pub struct Release {
 }
 
 /// What hard contact allows a point, for it and for the potential of its area `A(D)`:
-/// docs/theory.md eqs. (5.50) and (5.51).
+/// docs/theory.md eqs. (5.54) and (5.55).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Allowed {
     /// The overclosure `a` [L].

@@ -13,4 +13,6 @@ pub enum Facing {
     Piece(Piece),
     /// A place of a face.
     Face(FacePlace),
+    /// Two edges that cross.
+    Edges([usize; 2]),
 }

@@ -126,15 +126,13 @@ impl Contact {
     pub(super) fn edge_allowance(&self, place: usize, before: &[PointState]) -> f64 {
         let edges = self.points[place].pair.checked_sub(self.own_pairs());
         let (Some(edges), Some(now)) = (edges, before.get(place)) else { return 0.0 };
-        let own = &self.edge_points[edges];
+        let Some(own) = self.edge_points.get(edges) else { return 0.0 };
         // one that faced nothing has nothing to be held against
         if !now.opening.is_finite() || now.along.is_none() {
             return 0.0;
         }
         let Some((mean, size)) = self.mean_about(place, (own, now), before) else { return 0.0 };
-        let beyond = mean - (now.opening - now.allowed);
-        let free = FREE * size;
-        (-mean).max(0.0) + free * (1.0 - smooth_step(0.5 * beyond / free))
+        depth_allowed(mean, now.opening - now.allowed, size)
     }
 
     /// The gap that a pair shows where an edge of it stands, and the size of the faces there [L]; `None` where no
@@ -175,7 +173,9 @@ impl Contact {
     fn about(&self, place: usize, now: &PointState) -> About {
         let mut about = [(usize::MAX, 0.0); 4];
         let pair = self.points[place].pair;
-        let Some(own) = pair.checked_sub(self.own_pairs()).map(|own| &self.edge_points[own]) else {
+        let Some(own) =
+            pair.checked_sub(self.own_pairs()).and_then(|own| self.edge_points.get(own))
+        else {
             return about;
         };
         if !own.of_master {
@@ -216,6 +216,13 @@ impl Contact {
         };
         then.iter().zip(now).map(work).sum()
     }
+}
+
+/// How deep an edge may stand in the other side by the mean gap that the pair shows there, its own gap and the size
+/// of the faces [L]. docs/theory.md eq. (5.49)
+pub(super) fn depth_allowed(mean: f64, gap: f64, size: f64) -> f64 {
+    let free = FREE * size;
+    (-mean).max(0.0) + free * (1.0 - smooth_step(0.5 * (mean - gap) / free))
 }
 
 /// Zero up to 0, one from 1 on, smooth between.

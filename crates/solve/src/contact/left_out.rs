@@ -64,7 +64,7 @@ impl Contact {
     /// Whether it does not meet what it faces.
     pub(super) fn leaves_out_faced(&self, point: &SlavePoint, facing: &Facing) -> bool {
         match facing {
-            Facing::Surface(_) => false,
+            Facing::Surface(_) | Facing::Edges(_) => false,
             Facing::Face(place) => self.leaves_out(point, place.face),
             Facing::Piece(piece) => match piece.kind {
                 PieceKind::Straight => self.leaves_out(point, piece.index),

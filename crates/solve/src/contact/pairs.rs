@@ -1,5 +1,6 @@
 //! All contact pairs of a model: slave points, masters and laws.
 
+use super::edge_crossings::sides::EdgeCrossings;
 use super::edge_points::EdgePoints;
 use super::laws::state_size;
 use super::master::MasterSurface;
@@ -60,6 +61,8 @@ pub struct SlavePoint {
     pub(super) mortar: Option<usize>,
     /// Its place on a master that it belongs to; zero elsewhere.
     pub(super) seat: usize,
+    /// Whether it is a crossing of two sharp edges.
+    pub(super) is_crossing: bool,
     /// The faces of the slave surface that meet at it, where they are known.
     pub(super) faces: Vec<usize>,
     /// How it is carried.
@@ -69,7 +72,7 @@ pub struct SlavePoint {
 impl SlavePoint {
     /// Whether it is a slave node that meets its master by itself.
     pub(crate) fn is_node(&self) -> bool {
-        !self.is_integration_point() && self.mortar.is_none()
+        !self.is_integration_point() && self.mortar.is_none() && !self.is_crossing
     }
 
     /// Whether it is spread over faces of the slave.
@@ -136,6 +139,8 @@ pub struct Contact {
     pub(super) spacing: Vec<f64>,
     /// Points of sharp edges: their pairs come behind those of the model.
     pub(super) edge_points: Vec<EdgePoints>,
+    /// Crossings of sharp edges: their pairs come behind those of the edges.
+    pub(super) crossings: Vec<EdgeCrossings>,
     /// Slave points that contact elements join, a list a pair.
     pub(super) edges: Vec<Vec<[usize; 2]>>,
     /// Pairs with rigid masters that share slave nodes.
@@ -163,7 +168,9 @@ pub fn contact_sizes(model: &Model) -> [usize; 2] {
     let pairs = model.contact_pairs.iter().map(|pair| (point_count(pair), pair));
     let edges = model.edge_pairs.iter();
     let edges = edges.map(|own| (own.nodes.len(), &model.contact_pairs[own.of]));
-    pairs.chain(edges).fold([0, 0], |[points, values], (count, pair)| {
+    let crossings = model.crossing_edges.iter();
+    let crossings = crossings.map(|own| (own.points(), &model.contact_pairs[own.of]));
+    pairs.chain(edges).chain(crossings).fold([0, 0], |[points, values], (count, pair)| {
         [points + count, values + count * state_size(pair)]
     })
 }
@@ -189,7 +196,7 @@ impl Contact {
         let (state_variables, state_size) = (self.state_size, state_size(pair));
         self.state_size += state_size;
         let (pair, area) = (pair_place, 0.0);
-        let (mortar, seat, faces) = (None, 0, Vec::new());
+        let (mortar, seat, is_crossing, faces) = (None, 0, false, Vec::new());
         self.points.push(SlavePoint {
             pair,
             node,
@@ -198,6 +205,7 @@ impl Contact {
             state_size,
             mortar,
             seat,
+            is_crossing,
             faces,
             carrier,
         });
@@ -205,30 +213,52 @@ impl Contact {
 
     /// Pairs of the model: those of edges come behind them.
     pub fn own_pairs(&self) -> usize {
-        self.masters.len() - self.edge_points.len()
+        self.masters.len() - self.edge_points.len() - self.crossings.len()
     }
 
     /// The pair of the model that a pair is, or whose edges it has.
     pub fn parent(&self, pair: usize) -> usize {
-        let edges = pair.checked_sub(self.own_pairs());
-        edges.map_or(pair, |own| self.edge_points[own].of)
+        let Some(own) = pair.checked_sub(self.own_pairs()) else { return pair };
+        let edges = self.edge_points.iter().map(|own| own.of);
+        edges.chain(self.crossings.iter().map(|own| own.of)).nth(own).unwrap_or(pair)
     }
 
     /// The pairs of the edges of a pair of the model.
     pub(super) fn edges_of(&self, pair: usize) -> Vec<usize> {
-        let own = self.edge_points.iter().enumerate().filter(|(_, own)| own.of == pair);
-        own.map(|(place, _)| self.own_pairs() + place).collect()
+        let behind = self.own_pairs()..self.masters.len();
+        behind.filter(|&own| self.parent(own) == pair).collect()
     }
 
     /// Whether a pair of edges meets the slave: its nodes are those of the master.
     pub fn is_reversed(&self, pair: usize) -> bool {
         let edges = pair.checked_sub(self.own_pairs());
-        edges.is_some_and(|own| self.edge_points[own].of_master)
+        edges.and_then(|own| self.edge_points.get(own)).is_some_and(|own| own.of_master)
     }
 
     /// Whether a point is of a sharp edge.
     pub fn is_edge(&self, place: usize) -> bool {
         self.points[place].pair >= self.own_pairs()
+    }
+
+    /// The crossings of a pair that stands for them.
+    pub(super) fn crossings_of(&self, pair: usize) -> Option<&EdgeCrossings> {
+        let first = self.masters.len() - self.crossings.len();
+        pair.checked_sub(first).map(|own| &self.crossings[own])
+    }
+
+    /// The node of a point in a state: of a crossing the nearer end of the slave edge.
+    pub fn node_of(&self, place: usize, now: &PointState) -> NodeIndex {
+        let point = &self.points[place];
+        let stood = now.footing.filter(|_| point.is_crossing);
+        match (stood, self.crossings_of(point.pair)) {
+            (Some(stood), Some(own)) => own.node_of(stood.place),
+            _ => point.node,
+        }
+    }
+
+    /// Whether a point is a crossing of two sharp edges.
+    pub fn is_crossing(&self, place: usize) -> bool {
+        self.points[place].is_crossing
     }
 
     /// Whether no edge is held in a state of the points.
@@ -238,8 +268,9 @@ impl Contact {
 
     /// The points of sharp edges.
     pub fn places_of_edges(&self) -> Range<usize> {
-        let first = self.edge_points.first().map_or(self.points.len(), |own| own.first);
-        first..self.points.len()
+        let of_edges = self.edge_points.first().map(|own| own.first);
+        let of_crossings = || Some(self.crossings.first()?.slots.first()?.start);
+        of_edges.or_else(of_crossings).unwrap_or(self.points.len())..self.points.len()
     }
 
     /// Number of pairs, those of sharp edges among them.

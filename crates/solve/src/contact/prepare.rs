@@ -25,29 +25,8 @@ impl Contact {
         let mut contact = Self {
             points: Vec::with_capacity(slave_nodes.iter().map(Vec::len).sum()),
             slave_nodes,
-            laws: Vec::new(),
-            keeps: Vec::new(),
-            allowances: Vec::new(),
-            allowed: Vec::new(),
-            allowed_before: Vec::new(),
-            changing: Vec::new(),
-            segments: Vec::new(),
-            state_size: 0,
             directions: if model.is_in_space() { 2 } else { 1 },
-            masters: Vec::new(),
-            apart: Vec::new(),
-            offsets: Vec::new(),
-            slave_faces: Vec::new(),
-            sharp: Vec::new(),
-            mortars: Vec::new(),
-            face_mortars: Vec::new(),
-            spacing: Vec::new(),
-            spread_nodes: Vec::new(),
-            edge_points: Vec::new(),
-            edges: Vec::new(),
-            opposed: Vec::new(),
-            chain_nodes: 0,
-            tangents: Vec::new(),
+            ..Self::default()
         };
         for (place, pair) in model.contact_pairs.iter().enumerate() {
             contact.edges.push(Vec::new());
@@ -71,12 +50,14 @@ impl Contact {
             contact.add_slave_faces(dofs, place, pair);
         }
         model.edge_pairs.iter().for_each(|edges| contact.add_edges(model, dofs, edges));
+        model.crossing_edges.iter().for_each(|own| contact.add_crossings(model, dofs, own));
         contact.take_bonds();
         contact.opposed = contact.opposed_pairs();
         contact.take_points(model);
         contact.take_segments(model);
         contact.take_edges(model);
         contact.follow_pairs(model);
+        contact.take_crossings(model);
         contact.take_slave_faces(model);
         contact.take_left_out(model);
         contact
@@ -236,6 +217,7 @@ impl Contact {
         }
         self.take_edges(model);
         self.follow_pairs(model);
+        self.take_crossings(model);
         self.take_slave_faces(model);
         self.take_bonds();
         Ok(())

@@ -46,6 +46,9 @@ impl Contact {
                 own.masters[pair] = MasterSurface::Nothing;
             }
         }
+        for crossings in &mut own.crossings {
+            crossings.is_absent = !presence.has_pair(crossings.of);
+        }
         own.opposed.retain(|pairs| pairs.iter().all(|&pair| presence.has_pair(pair)));
         own.chain_nodes = 0;
         for master in &mut own.masters {

@@ -8,6 +8,9 @@ use super::positions::MasterPositions;
 use super::segment::{SEGMENT_POINTS, SlaveSegment};
 use super::stencil::Stencil;
 
+/// Dofs of the edges that cross, and of those of the last commit.
+const MOST_DOFS_OF_CROSSING: usize = 24;
+
 impl Contact {
     /// All points, facing nothing yet, each with room for the dofs it may follow.
     pub fn nowhere(&self) -> ContactKinematics {
@@ -23,7 +26,8 @@ impl Contact {
                 Carrier::Node { dofs, .. } => dofs.as_slice().len() + 1,
                 Carrier::IntegrationPoint { segment } => self.segments[*segment].all_dofs().count(),
             };
-            own + self.masters[point.pair].most_dofs()
+            let of_crossing = if point.is_crossing { MOST_DOFS_OF_CROSSING } else { 0 };
+            (own + self.masters[point.pair].most_dofs()).max(of_crossing)
         };
         let room = self.points.iter().map(room).max().unwrap_or(0);
         kinematics.forget(self.points.len(), room, self.directions);
@@ -49,6 +53,7 @@ impl Contact {
                 self.locate_one(place, (u, before), positions, into);
             }
         }
+        self.locate_crossings(u, before, into);
         for segment in &self.segments {
             self.locate_segment(segment, (u, before), into);
         }
@@ -71,6 +76,7 @@ impl Contact {
                 self.locate_one(place, (u, before), positions, into);
             }
         }
+        self.locate_crossings(u, before, into);
     }
 
     /// Where the points that `idle` names stand at displacements `u`, for which
@@ -100,6 +106,7 @@ impl Contact {
             own.point.xi = self.resting_place(place);
             self.locate_one(place, (u, Before::NOTHING), positions, into);
         }
+        self.locate_crossings(u, Before::NOTHING, into);
     }
 
     /// Where one of them stands, without its rows; the masters are placed already.

@@ -33,6 +33,11 @@ impl Contact {
             self.tangent_of_face(facing, (kinematics, before, positions), forces, scratch);
             return;
         }
+        if let Some(Facing::Edges(edges)) = kinematics.facing {
+            let forces = (normal, tangential);
+            self.tangent_of_crossing((point.pair, edges), u, kinematics, forces, scratch);
+            return;
+        }
         if let Some(own) = point.mortar {
             let m = kinematics.rows.width();
             scratch.tangent.clear();

@@ -154,9 +154,25 @@ fn draw(model: &Model, note: &mut impl FnMut(Part, usize)) {
         let met = edges.met.deforming_nodes();
         edges.nodes.iter().chain(&met).for_each(|&node| note(node));
     }
+    draw_crossings(model, note);
     note(Part::Steps, model.steps.len());
     for (index, step) in model.steps.iter().enumerate() {
         draw_step(step, &mut |number| note(Part::Step(index + 1), number));
+    }
+}
+
+/// Lines of edges that may cross.
+fn draw_crossings(model: &Model, note: &mut impl FnMut(Part, usize)) {
+    note(Part::Contact(0), model.crossing_edges.len());
+    for own in &model.crossing_edges {
+        let mut note = |number| note(Part::Contact(own.of), number);
+        for side in [&own.slave, &own.master] {
+            note(side.len());
+            for line in side {
+                [line.edges.len(), usize::from(line.is_closed)].into_iter().for_each(&mut note);
+                line.edges.iter().flat_map(|edge| edge.nodes).for_each(&mut note);
+            }
+        }
     }
 }
 

@@ -12,6 +12,7 @@
 
 pub mod circle;
 pub mod curve;
+pub mod edges;
 pub mod face;
 pub mod offset;
 
