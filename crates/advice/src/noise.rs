@@ -22,6 +22,9 @@ const DEEP: f64 = 3.0;
 /// Depth beyond the mean over a slave face above which a face does not see what lies in it, in sizes of
 /// the face [1]: edges and corners make 0.1 and more, round parts on coarse meshes up to 0.085 (measured).
 const UNSEEN: f64 = 0.1;
+/// The same while the pair is open, when nothing but a part that is hardly rounder than a face is long makes as much
+/// [1]: l/24R at a radius R.
+const UNSEEN_AND_OPEN: f64 = 0.02;
 /// Forces of one pair that are left over, relative to their magnitudes [1]:
 /// thousands of times what rounding leaves.
 const UNBALANCED: f64 = 1e-9;
@@ -64,6 +67,8 @@ struct Pair {
     deepest: u64,
     /// Largest depth that faces do not see, with a node of the face and the increment.
     unseen: (f64, u64, usize),
+    /// The same of increments in which the pair is open.
+    unseen_and_open: (f64, u64, usize),
     /// The node that carries most in each increment, where one touches.
     carriers: Vec<Option<NodeIndex>>,
     /// Largest imbalance of forces and of moments, and its increment.
@@ -79,23 +84,23 @@ impl Noise {
     }
 
     /// Takes in what a run that goes on from a saved state has told before:
-    /// the motion and reaction of a driven dof (asked for by node label), and
+    /// the motion and reaction of a driven dof along the axes of its node, and
     /// the rows of the pairs with the nodes that carried most, increment by
     /// increment.
-    pub fn recall<'a>(
+    pub fn recall(
         &mut self,
         model: &Model,
-        mut curve: impl FnMut(u64, Dof) -> Option<(&'a [f64], &'a [f64])>,
+        mut curve: impl FnMut(NodeIndex, Dof) -> Option<[Vec<f64>; 2]>,
         pairs: &[Vec<PairRow>],
         carriers: &[Vec<Option<NodeIndex>>],
     ) {
         let mut longest = pairs.len();
         for own in &mut self.curves {
-            let all = own.nodes.iter().map(|&node| curve(model.nodes.label(node), own.dof));
+            let all = own.nodes.iter().map(|&node| curve(node, own.dof));
             let Some(all) = all.collect::<Option<Vec<_>>>() else { continue };
-            let Some((motion, first)) = all.first() else { continue };
-            let sum = |place| all.iter().filter_map(|(_, own)| own.get::<usize>(place)).sum();
-            own.motion.extend(*motion);
+            let Some([motion, first]) = all.first() else { continue };
+            let sum = |place| all.iter().filter_map(|[_, own]| own.get::<usize>(place)).sum();
+            own.motion.extend(motion);
             own.reaction.extend((0..first.len()).map(|place| -> f64 { sum(place) }));
             longest = longest.max(first.len());
         }
@@ -253,6 +258,7 @@ impl Pair {
             penetration: 0.0,
             deepest: 0,
             unseen: (0.0, 0, 0),
+            unseen_and_open: (0.0, 0, 0),
             carriers: Vec::new(),
             imbalance: [(0.0, 0); 2],
         }
@@ -279,9 +285,13 @@ impl Pair {
             self.penetration = row.penetration;
             self.deepest = row.deepest.map_or(0, |node| model.nodes.label(node));
         }
-        if row.unseen_depth > self.unseen.0 {
-            let node = row.unseen.map_or(0, |node| model.nodes.label(node));
-            self.unseen = (row.unseen_depth, node, increment);
+        let node = row.unseen.map_or(0, |node| model.nodes.label(node));
+        for (is_told, deepest) in
+            [(true, &mut self.unseen), (row.closed == 0, &mut self.unseen_and_open)]
+        {
+            if is_told && row.unseen_depth > deepest.0 {
+                *deepest = (row.unseen_depth, node, increment);
+            }
         }
         let now = [row.force_imbalance, row.moment_imbalance];
         for (largest, now) in self.imbalance.iter_mut().zip(now) {
@@ -344,14 +354,18 @@ impl Pair {
 
     /// SL0615: an edge or a corner in the other side, which the mean over faces does not show.
     fn unseen(&self) -> Option<Diagnostic> {
-        let (depth, node, increment) = self.unseen;
-        if depth <= UNSEEN {
+        let is_open = self.unseen.0 <= UNSEEN;
+        let ((depth, node, increment), held) = match is_open {
+            false => (self.unseen, "contact forces there are too small"),
+            true => (self.unseen_and_open, "the pair is open"),
+        };
+        if is_open && depth <= UNSEEN_AND_OPEN {
             return None;
         }
         let message = format!(
             "an edge or a corner goes through {}: in increment {increment} the slave face of node {node} and \
              the master stand in one another by {depth:.2} of the size of the face, and the mean gap over \
-             the face does not show it; contact forces there are too small",
+             the face does not show it; {held}",
             self.name
         );
         Some(Diagnostic::warning(Code("SL0615"), message).at(self.origin).help(
@@ -406,6 +420,7 @@ mod tests {
             penetration: 0.0,
             deepest: 0,
             unseen: (0.0, 0, 0),
+            unseen_and_open: (0.0, 0, 0),
             carriers: Vec::new(),
             imbalance: [(0.0, 0); 2],
         }
@@ -485,7 +500,7 @@ mod tests {
     fn what_faces_do_not_see_is_told() {
         let model = Model::default();
         let mut pair = pair();
-        let row = |unseen_depth| PairRow { unseen_depth, ..PairRow::default() };
+        let row = |unseen_depth| PairRow { unseen_depth, closed: 1, ..PairRow::default() };
         pair.follow(&model, &row(0.085), None, 1);
         assert_eq!(pair.unseen(), None);
         pair.follow(&model, &row(0.4), None, 2);
@@ -494,6 +509,20 @@ mod tests {
         assert_eq!(said.code, Code("SL0615"));
         let text = &said.message;
         assert!(text.contains("increment 2") && text.contains("0.40"), "{text}");
+    }
+
+    /// Requirement: parts that stand in one another while their pair is open are told of long before.
+    #[test]
+    fn a_corner_in_faces_that_are_open_is_told() {
+        let model = Model::default();
+        let mut pair = pair();
+        let row = |unseen_depth, closed| PairRow { unseen_depth, closed, ..PairRow::default() };
+        pair.follow(&model, &row(0.015, 0), None, 1);
+        pair.follow(&model, &row(0.06, 1), None, 2);
+        assert_eq!(pair.unseen(), None);
+        pair.follow(&model, &row(0.047, 0), None, 3);
+        let text = pair.unseen().unwrap().message;
+        assert!(text.contains("increment 3") && text.contains("is open"), "{text}");
     }
 
     #[test]

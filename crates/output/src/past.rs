@@ -6,6 +6,7 @@ use crate::pair::columns;
 use crate::reading::history::History;
 use crate::reading::problem::Problem;
 use crate::reading::table::Table;
+use slideline_mech::axes::PLAIN;
 use slideline_model::{Dof, Model, NodeIndex};
 use slideline_solve::observe::PairRow;
 
@@ -32,10 +33,20 @@ impl Past {
         Ok(Self { history, pairs, carriers })
     }
 
-    /// Motion and reaction of a dof over the increments.
-    pub fn curve(&self, label: u64, dof: Dof) -> Option<(&[f64], &[f64])> {
-        let column = |name| self.history.column(label, name);
-        Some((column(dof.name())?, column(dof.reaction_name())?))
+    /// Motion and reaction of a node over the increments, along its own axes where it has any.
+    pub fn curve(&self, model: &Model, node: NodeIndex, dof: Dof) -> Option<[Vec<f64>; 2]> {
+        let (first, place) = if dof.is_rotation() { (Dof::UR1, 3) } else { (Dof::U1, 0) };
+        let axis = model.axes_of(node).unwrap_or(PLAIN)[dof as usize - first as usize];
+        let label = model.nodes.label(node);
+        let mut both = [Vec::new(), Vec::new()];
+        for (&own, part) in Dof::ALL[place..].iter().zip(axis).filter(|(_, part)| *part != 0.0) {
+            for (name, sum) in [own.name(), own.reaction_name()].into_iter().zip(&mut both) {
+                let column = self.history.column(label, name)?;
+                sum.resize(column.len(), 0.0);
+                sum.iter_mut().zip(column).for_each(|(sum, value)| *sum += part * value);
+            }
+        }
+        Some(both)
     }
 }
 

@@ -193,7 +193,8 @@ fn go_on(
     };
     let dropped_work = checkpoint.energy().dropped_friction;
     let mut watch = Watch::new(writers, observer, model, dropped_work);
-    watch.noise.recall(model, |label, dof| past.curve(label, dof), &past.pairs, &past.carriers);
+    let curve = |node, dof| past.curve(model, node, dof);
+    watch.noise.recall(model, curve, &past.pairs, &past.carriers);
     match slideline_solve::resume(model, &options.solve, checkpoint, &mut watch) {
         Some(ending) => watch.outcome(&ending),
         // the state was held against the model before

@@ -269,6 +269,10 @@ fn prescribe(line: &Boundary, into: &mut InForce<Prescribed, (NodeIndex, Dof)>, 
     for node in draft.nodes_of(&line.target, line.target_span) {
         for &dof in &line.dofs {
             if !draft.has_motion(node, dof) {
+                // what is held there anyhow asks for nothing
+                if line.value != 0.0 && !line.fixed {
+                    no_motion("motion", dof, line.target_span, draft);
+                }
                 continue;
             }
             if let Some(&link) = draft.dependents.get(&(node, dof)) {
@@ -317,7 +321,7 @@ fn loads(lines: &[Boundary], draft: &mut Draft) -> Vec<((NodeIndex, Dof), Load)>
         for node in draft.nodes_of(&line.target, line.target_span) {
             for &dof in &line.dofs {
                 if !draft.has_motion(node, dof) {
-                    no_motion(dof, line.target_span, draft);
+                    no_motion("load", dof, line.target_span, draft);
                     continue;
                 }
                 let (value, origin) = (line.value, line.origin);
@@ -336,11 +340,12 @@ fn loads(lines: &[Boundary], draft: &mut Draft) -> Vec<((NodeIndex, Dof), Load)>
     loads
 }
 
-fn no_motion(dof: Dof, span: Span, draft: &mut Draft) {
+/// SL0251: a load or a motion on a dof that the plane has not.
+fn no_motion(what: &str, dof: Dof, span: Span, draft: &mut Draft) {
     if draft.is_spatial() {
         return; // elements in space that are not made, of which the reason has been said
     }
-    let message = format!("a load on dof {} has no effect in a plane model", dof.number());
+    let message = format!("a {what} on dof {} has no effect in a plane model", dof.number());
     let error = Diagnostic::error(Code("SL0251"), message).at(span);
     draft.consequence(Subject::Elements, error.help("the plane has the dofs 1, 2 and 6"));
 }

@@ -7,6 +7,7 @@ mod general_contact;
 mod generated_lines;
 mod limits_of_use;
 mod meaning;
+mod motions;
 mod pairs;
 mod paper;
 mod parameters;

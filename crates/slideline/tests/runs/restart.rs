@@ -278,6 +278,32 @@ fn what_was_left_is_finished() {
     finishes("finished", DECK, &[&FILES[..], &["job.contact.csv", "job.pair.csv"]].concat());
 }
 
+/// Requirement: motions along axes of their own are remembered along these: what is said of their noise does not depend
+/// on where a run was left. Tolerance: rounding of the sums along the axes.
+#[test]
+fn motions_along_own_axes_are_remembered() {
+    let deck = DECK
+        .replace("*STEP, NLGEOM", "*NSET, NSET=TOOL\n9\n*TRANSFORM, NSET=TOOL\n0.6, 0.8, 0.0, -0.8, 0.6, 0.0\n*STEP, NLGEOM")
+        .replace("9, 1, 1, 1.0E-3\n9, 2, 2, 1.2E-4", "9, 1, 1, 7.0E-4\n9, 2, 2, -7.3E-4")
+        .replace("0.25, 1.0", "0.1, 1.0, 0.1, 0.1");
+    finishes("turned", &deck, &FILES);
+    let roughness = |name: &str| {
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name).join("job.json");
+        let text = std::fs::read_to_string(path).unwrap();
+        let noise = text.split("\"noise\"").nth(1).unwrap().to_owned();
+        ["9.RF1", "9.RF2"].map(|dof| -> f64 {
+            let of_dof = noise.split(&format!("\"{dof}\"")).nth(1).unwrap();
+            let value = of_dof.split("\"roughness\":").nth(1).unwrap();
+            value.split(',').next().unwrap().trim().parse().unwrap()
+        })
+    };
+    let (left, whole) = (roughness("turned"), roughness("turned_whole"));
+    assert!(whole.iter().any(|own| *own > 1e-6), "{whole:?}");
+    for (a, b) in left.iter().zip(whole) {
+        assert!((a - b).abs() < 1e-9, "{left:?} {whole:?}");
+    }
+}
+
 /// Two rows of which one yields, at temperatures that turn back.
 const HOT: &str = "*RESTART, WRITE
 *NODE, NSET=ALL
