@@ -9,6 +9,8 @@
 //!
 //! docs/theory.md section 5.19
 
+use super::pairs::Contact;
+
 /// Part of the area of the node of a face that has most of it, which a node must have to carry
 /// contact of its own there [1].
 pub(super) const LEAST_AREA: f64 = 0.05;
@@ -98,6 +100,21 @@ impl Release {
             by_area: overclosure + area * slope,
             bend: 2.0 * slope + area * turn,
         }
+    }
+}
+
+impl Contact {
+    /// What a point of a pair is allowed with so much area covered [L2]: by the step, and by how little that is where
+    /// it is let go, under a hard law that lets part.
+    pub(super) fn allowed_with_area(
+        &self,
+        (pair, place): (usize, usize),
+        release: Option<Release>,
+        area: f64,
+    ) -> Allowed {
+        let lets_go = !self.keeps[pair] && !self.is_soft(pair);
+        let release = release.filter(|_| lets_go).unwrap_or(Release::HELD);
+        release.at(area).and(self.allowed_at(place))
     }
 }
 
