@@ -10,7 +10,7 @@
 //! docs/theory.md eqs. (5.24) to (5.28)
 
 use super::super::before::Before;
-use super::super::coverage::Allowed;
+use super::super::coverage::FreeDepth;
 use super::super::kinematics::{ContactKinematics, PointRowsMut};
 use super::super::master::MasterSurface;
 use super::super::pairs::{Carrier, Contact};
@@ -217,7 +217,7 @@ impl At<'_> {
     }
 
     /// What a point with that area [L2] is allowed: by the step, and by how little of it is covered.
-    pub(super) fn allowed(&self, (point, area): (usize, f64), rooms: &MortarRooms) -> Allowed {
+    pub(super) fn allowed(&self, (point, area): (usize, f64), rooms: &MortarRooms) -> FreeDepth {
         let release = rooms.releases.get(point).copied().flatten();
         let place = (self.mortar.pair, self.mortar.first + point);
         self.contact.allowed_with_area(place, release, area)
