@@ -32,7 +32,7 @@ pub struct Release {
 /// What hard contact allows a point, for it and for the potential of its area `A(D)`:
 /// docs/theory.md eqs. (5.54) and (5.55).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct FreeDepth {
+pub struct Allowed {
     /// The overclosure `a` [L].
     pub overclosure: f64,
     /// `dA/dD` of `A = D a` [L].
@@ -84,16 +84,16 @@ impl Release {
     }
 
     /// What a node is allowed of which so much is covered [L2].
-    pub fn at(&self, area: f64) -> FreeDepth {
+    pub fn at(&self, area: f64) -> Allowed {
         let Self { held, free, depth } = *self;
         let left = ((held - area) / (held - free)).clamp(0.0, 1.0);
         let overclosure = depth * left * left;
         if left == 0.0 || left == 1.0 {
-            return FreeDepth { overclosure, by_area: overclosure, bend: 0.0 };
+            return Allowed { overclosure, by_area: overclosure, bend: 0.0 };
         }
         let slope = -2.0 * depth * left / (held - free);
         let turn = 2.0 * depth / ((held - free) * (held - free));
-        FreeDepth {
+        Allowed {
             overclosure,
             by_area: overclosure + area * slope,
             bend: 2.0 * slope + area * turn,
@@ -101,7 +101,7 @@ impl Release {
     }
 }
 
-impl FreeDepth {
+impl Allowed {
     /// With as much more of a step [L].
     pub fn and(self, by_step: f64) -> Self {
         Self {
@@ -126,7 +126,7 @@ mod tests {
         for own in [0.2, 0.5, 1.0, 3.0] {
             let release = Release::beside(own, MOST, SIZE);
             let held = own.min(0.5 * MOST);
-            assert_eq!(release.at(held), FreeDepth::default());
+            assert_eq!(release.at(held), Allowed::default());
             assert_eq!(release.at(LEAST_AREA * MOST).overclosure, DEEPEST * SIZE);
             let depths = (0..=1000).map(|k| release.at(1e-3 * held * f64::from(k)).overclosure);
             let depths: Vec<f64> = depths.collect();
@@ -134,7 +134,7 @@ mod tests {
             assert!(depths.windows(2).all(|own| own[0] - own[1] < 0.02 * DEEPEST * SIZE));
         }
         assert_eq!(Release::beside(0.07, MOST, SIZE), Release::HELD);
-        assert_eq!(Release::HELD.at(0.0), FreeDepth::default());
+        assert_eq!(Release::HELD.at(0.0), Allowed::default());
     }
 
     /// Requirement: a node that has most of a covered face is held; beside a node that had nothing nobody is let
@@ -160,7 +160,7 @@ mod tests {
         let (own, step) = (Release::beside(0.8, MOST, SIZE), 1e-6);
         let potential = |area: f64| area * own.at(area).overclosure;
         for area in [0.1, 0.2, 0.4, 0.7] {
-            let FreeDepth { by_area, bend, .. } = own.at(area);
+            let Allowed { by_area, bend, .. } = own.at(area);
             let first = (potential(area + step) - potential(area - step)) / (2.0 * step);
             let second = (own.at(area + step).by_area - own.at(area - step).by_area) / (2.0 * step);
             assert!((first - by_area).abs() < 1e-9 && (second - bend).abs() < 1e-8, "{area}");

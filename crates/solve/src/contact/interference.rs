@@ -9,7 +9,6 @@
 //! docs/theory.md eqs (5.40) and (5.41).
 
 use super::before::Before;
-use super::coverage::{FreeDepth, Release};
 use super::master::MasterSurface;
 use super::pairs::{Allowance, Contact, SlavePoint};
 use super::positions::MasterPositions;
@@ -109,19 +108,6 @@ impl Contact {
     /// The overclosure that is allowed at a point [L].
     pub(super) fn allowed_at(&self, place: usize) -> f64 {
         self.allowed.get(place).copied().unwrap_or(0.0)
-    }
-
-    /// What a point of a pair is allowed with so much area covered [L2]: by the step, and by how little that is where
-    /// it is let go, under a hard law that lets part.
-    pub(super) fn allowed_with_area(
-        &self,
-        (pair, place): (usize, usize),
-        release: Option<Release>,
-        area: f64,
-    ) -> FreeDepth {
-        let lets_go = !self.keeps[pair] && !self.is_soft(pair);
-        let release = release.filter(|_| lets_go).unwrap_or(Release::HELD);
-        release.at(area).and(self.allowed_at(place))
     }
 
     /// Work that the parts are pressed apart with as less and less overclosure is allowed, by the

@@ -10,7 +10,7 @@
 //! docs/theory.md eqs. (5.24) to (5.28)
 
 use super::super::before::Before;
-use super::super::coverage::FreeDepth;
+use super::super::coverage::{Allowed, Release};
 use super::super::kinematics::{ContactKinematics, PointRowsMut};
 use super::super::master::MasterSurface;
 use super::super::pairs::{Carrier, Contact};
@@ -45,6 +45,11 @@ impl Contact {
     /// Whether the pressure of a pair is a function of its overclosure.
     pub(in crate::contact) fn is_soft(&self, pair: usize) -> bool {
         self.laws[pair].normal.pressure(0.0).is_some()
+    }
+
+    /// Whether nodes of a pair of which little is covered are let go: under a hard law that lets part.
+    pub(in crate::contact) fn lets_go(&self, pair: usize) -> bool {
+        !self.keeps[pair] && !self.is_soft(pair)
     }
 
     /// Whether the tangent of some pair is not symmetric even without friction: where faces are
@@ -217,10 +222,11 @@ impl At<'_> {
     }
 
     /// What a point with that area [L2] is allowed: by the step, and by how little of it is covered.
-    pub(super) fn allowed(&self, (point, area): (usize, f64), rooms: &MortarRooms) -> FreeDepth {
+    pub(super) fn allowed(&self, (point, area): (usize, f64), rooms: &MortarRooms) -> Allowed {
         let release = rooms.releases.get(point).copied().flatten();
-        let place = (self.mortar.pair, self.mortar.first + point);
-        self.contact.allowed_with_area(place, release, area)
+        let release = release.filter(|_| self.contact.lets_go(self.mortar.pair));
+        let by_step = self.contact.allowed_at(self.mortar.first + point);
+        release.unwrap_or(Release::HELD).at(area).and(by_step)
     }
 
     /// Slip of a point since the last commit [L]; its derivative is added to the row.

@@ -10,7 +10,7 @@
 //! docs/theory.md eqs. (5.33) to (5.38)
 
 use super::super::before::Before;
-use super::super::coverage::FreeDepth;
+use super::super::coverage::{Allowed, Release};
 use super::super::kinematics::{ContactKinematics, PointRowsMut};
 use super::super::master::MasterSurface;
 use super::super::pairs::{Carrier, Contact};
@@ -249,14 +249,11 @@ impl At<'_> {
     }
 
     /// What a point with that area [L2] is allowed: by the step, and by how little of it is covered.
-    pub(super) fn allowed(
-        &self,
-        (point, area): (usize, f64),
-        rooms: &FaceMortarRooms,
-    ) -> FreeDepth {
+    pub(super) fn allowed(&self, (point, area): (usize, f64), rooms: &FaceMortarRooms) -> Allowed {
         let release = rooms.releases.get(point).copied().flatten();
-        let place = (self.mortar.pair, self.mortar.first + point);
-        self.contact.allowed_with_area(place, release, area)
+        let release = release.filter(|_| self.contact.lets_go(self.mortar.pair));
+        let by_step = self.contact.allowed_at(self.mortar.first + point);
+        release.unwrap_or(Release::HELD).at(area).and(by_step)
     }
 
     /// Calls with the overlaps of the corners whose functions a point has, and their derivatives.
