@@ -114,14 +114,18 @@ pub fn is_crease(a: Vector, b: Vector) -> bool {
     dot(a, b) <= CREASE
 }
 
-/// The area of a face between its corners, along its normal [L2].
-pub(super) fn area(face: &MeshFace, position: impl Fn(usize) -> Vector) -> Vector {
-    let at = |k: usize| position(face.nodes[k]);
-    let sides = match face.cell.faces.len() {
+/// The area of a face between its three or four corners, along its normal [L2], with the places of these.
+pub fn area_between(corners: usize, at: impl Fn(usize) -> Vector) -> Vector {
+    let sides = match corners {
         3 => [sub(at(1), at(0)), sub(at(2), at(0))],
         _ => [sub(at(2), at(0)), sub(at(3), at(1))],
     };
     scale(cross(sides[0], sides[1]), 0.5)
+}
+
+/// The area of a face between its corners, along its normal [L2].
+pub(super) fn area(face: &MeshFace, position: impl Fn(usize) -> Vector) -> Vector {
+    area_between(face.cell.faces.len(), |k| position(face.nodes[k]))
 }
 
 /// Unit normal in the middle of a face; zero of one without area.

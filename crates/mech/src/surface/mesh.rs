@@ -12,7 +12,7 @@
 //! the four markers of its body.
 
 use super::axes::{Bearing, axis, bearing_of_axis};
-pub use super::edges::{MeshFace, is_crease, nodes_at_ends, surface_ends};
+pub use super::edges::{MeshFace, area_between, is_crease, nodes_at_ends, surface_ends};
 use super::edges::{area, ends, faces_around, neighbours, normal};
 use super::patch::{MOST_CORNERS, MOST_NODES, Patch};
 use super::star::{Corner, Star, StarNormal};

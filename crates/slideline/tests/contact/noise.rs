@@ -300,3 +300,65 @@ fn an_edge_that_goes_through_faces_is_told() {
     };
     assert!(said(&outcome).is_some_and(|own| own.contains("increment 4")), "{outcome:?}");
 }
+
+/// A block above the ridge of a rigid surface, between two of its nodes.
+const RIDGE: &str = "\
+*NODE
+1, 0.0, 0.0
+2, 0.4, 0.0
+3, 0.8, 0.0
+4, 1.2, 0.0
+5, 0.0, 0.4
+6, 0.4, 0.4
+7, 0.8, 0.4
+8, 1.2, 0.4
+9, 0.6, -1.0
+*ELEMENT, TYPE=CPS4, ELSET=E
+1, 1, 2, 6, 5
+2, 2, 3, 7, 6
+3, 3, 4, 8, 7
+*SOLID SECTION, ELSET=E, MATERIAL=M
+1.0
+*MATERIAL, NAME=M
+*ELASTIC
+1000.0, 0.3
+*SURFACE, NAME=B
+E, S1
+*SURFACE, NAME=R, TYPE=SEGMENTS
+START, 0.0, -0.34
+LINE, 0.6, -0.01
+LINE, 1.2, -0.34
+*RIGID BODY, ANALYTICAL SURFACE=R, REF NODE=9
+*SURFACE INTERACTION, NAME=I
+1.0
+*CONTACT PAIR, INTERACTION=I, TYPE=SURFACE TO SURFACE
+B, R
+*STEP, NLGEOM
+*STATIC
+0.25, 1.0
+*BOUNDARY
+5, 1, 2
+6, 1, 2
+7, 1, 2
+8, 1, 2
+9, 1, 1
+9, 2, 2, 0.03
+9, 6, 6
+*END STEP
+";
+
+/// Requirement: the corner of an analytical surface between slave nodes, which the mean over faces does not show, is told of
+/// while the pair is still open, from a fiftieth of a face on; rounded it is not.
+#[test]
+fn the_corner_of_an_analytical_surface_in_open_faces_is_told() {
+    let said = |name: &str, deck: &str| {
+        let read = Job::read_text("ridge", deck, &ReadOptions::default());
+        let outcome = run_in(&folder(name), &read);
+        assert_eq!(outcome.status, Status::Completed, "{:?}", codes(&outcome));
+        codes(&outcome).contains(&"SL0615")
+    };
+    assert!(said("ridge_sharp", RIDGE));
+    let higher = RIDGE.replace("9, 2, 2, 0.03", "9, 2, 2, 0.05");
+    let round = higher.replace("TYPE=SEGMENTS", "TYPE=SEGMENTS, FILLET RADIUS=0.2");
+    assert!(!said("ridge_round", &round));
+}

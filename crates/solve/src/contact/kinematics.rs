@@ -6,6 +6,7 @@
 //!   dofs of the state vector: h, sigma, directions and their gradients
 //! ```
 
+use super::edge_crossings::sides::PlacedSides;
 use super::facing::Facing;
 use super::mortar::rooms::{MortarRooms, MortarScratch};
 use super::mortar_faces::rooms::{FaceMortarRooms, FaceScratch};
@@ -27,6 +28,7 @@ pub struct ContactKinematics {
     pub(super) unknowns: Vec<usize>,
     pub(super) mortars: Vec<MortarRooms>,
     pub(super) face_mortars: Vec<FaceMortarRooms>,
+    pub(super) crossings: Vec<PlacedSides>,
 }
 
 /// A slave point against its master.
@@ -93,6 +95,7 @@ impl ContactKinematics {
         self.points.resize(points, PointKinematics::NOWHERE);
         self.mortars.iter_mut().for_each(MortarRooms::forget);
         self.face_mortars.iter_mut().for_each(FaceMortarRooms::forget);
+        self.crossings.clear();
         self.operator.fit(points, room, directions);
     }
 

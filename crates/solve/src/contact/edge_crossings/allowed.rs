@@ -60,15 +60,10 @@ impl Contact {
     }
 }
 
-/// The gap of two edges at the last commit.
+/// The gap of two edges at the last commit, along the normal on the side of the one of now.
 fn gap_before(own: &EdgeCrossings, found: &Found, before: Before<'_>) -> Option<EdgeGap> {
-    if before.u.is_empty() {
-        return None;
-    }
-    let [slave, master] = own.sides();
-    let at = [slave, master].map(|side| side.place(before.u));
-    let placed = master.placed(found.edges[1], &at[1]);
-    EdgeGap::new([slave.ends(found.edges[0], &at[0]), placed.ends], placed.outward())
+    let is_known = !before.u.is_empty();
+    is_known.then(|| EdgeGap::new(own.ends(found.edges, before.u), found.gap.normal)).flatten()
 }
 
 /// The mean gap that nodes about a place of an edge show by those of their points, where these have any [L].

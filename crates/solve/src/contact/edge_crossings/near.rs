@@ -1,5 +1,6 @@
 //! Which dofs crossings may couple before long.
 
+use super::sides::PlacedSides;
 use crate::contact::pairs::Contact;
 use slideline_mech::contact::gap::edges::EdgeGap;
 use std::collections::BTreeMap;
@@ -12,8 +13,9 @@ impl Contact {
     /// Adds the dofs of edges that are near one another at displacements `u`, line by line, to lists by their lines.
     pub(crate) fn near_crossings(&self, u: &[f64], into: &mut BTreeMap<[usize; 3], Vec<usize>>) {
         for (place, own) in self.crossings.iter().enumerate().filter(|(_, own)| !own.is_absent) {
-            let at = own.sides().map(|side| side.place(u));
-            own.near_pairs([&at[0], &at[1]], |edges, [slave, master]| {
+            let mut placed = PlacedSides::default();
+            own.place(u, &mut placed);
+            placed.near_pairs(|edges, [slave, master]| {
                 let gap = EdgeGap::new([slave.ends, master.ends], master.outward());
                 let is_near = |gap: &EdgeGap| {
                     let is_beside = gap.at.iter().all(|share| BESIDE.contains(share));

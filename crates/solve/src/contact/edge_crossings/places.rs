@@ -6,11 +6,9 @@
 //!
 //! docs/theory.md section 5.18
 
-use super::sides::{EdgeCrossings, EdgeSide};
+use super::sides::{EdgeCrossings, PlacedSides};
 use slideline_mech::contact::gap::edges::{EdgeGap, Shares};
 use slideline_mech::contact::search::edges::PlacedEdge;
-use slideline_mech::contact::search::tree::BoxTree;
-use slideline_mech::vector::Vector;
 
 /// Part of an edge by which a crossing may stand beyond it, where another edge of the line goes on [1]: the edge of the
 /// last iteration keeps it, so that no iteration goes to and fro between two.
@@ -25,18 +23,10 @@ pub(crate) struct Found {
     pub gap: EdgeGap,
 }
 
-impl EdgeCrossings {
-    /// Calls back with all pairs of edges that are nearer than they are long, with the places of nodes `at`.
-    pub fn near_pairs(
-        &self,
-        at: [&[Vector]; 2],
-        mut each: impl FnMut([usize; 2], [&PlacedEdge; 2]),
-    ) {
-        let placed = |side: &EdgeSide, at: &[Vector]| -> Vec<PlacedEdge> {
-            (0..side.edges.len()).map(|edge| side.placed(edge, at)).collect()
-        };
-        let [slaves, masters] = [placed(&self.slave, at[0]), placed(&self.master, at[1])];
-        let tree = BoxTree::<3>::new(masters.len(), |edge| masters[edge].bounds());
+impl PlacedSides {
+    /// Calls back with all pairs of edges that are nearer than they are long.
+    pub fn near_pairs(&self, mut each: impl FnMut([usize; 2], [&PlacedEdge; 2])) {
+        let ([slaves, masters], Some(tree)) = (&self.edges, &self.tree) else { return };
         for (slave, own) in slaves.iter().enumerate() {
             let first = &mut each;
             tree.overlapping(own.bounds(), |master| {
@@ -44,11 +34,13 @@ impl EdgeCrossings {
             });
         }
     }
+}
 
+impl EdgeCrossings {
     /// All crossings, each once, line by line; `held` says which are kept of two that are one.
-    pub fn found(&self, at: [&[Vector]; 2], held: impl Fn([usize; 2]) -> bool) -> Vec<Found> {
+    pub fn found(&self, placed: &PlacedSides, held: impl Fn([usize; 2]) -> bool) -> Vec<Found> {
         let mut all = Vec::new();
-        self.near_pairs(at, |edges, [slave, master]| {
+        placed.near_pairs(|edges, [slave, master]| {
             let ends = [slave.ends, master.ends];
             let Some(gap) = EdgeGap::new(ends, master.outward()) else { return };
             let is_near = gap.gap.abs() <= slave.length() + master.length();

@@ -3,14 +3,13 @@
 //! docs/theory.md section 5.18
 
 use super::places::Found;
-use super::sides::EdgeCrossings;
+use super::sides::{EdgeCrossings, PlacedSides};
 use crate::contact::before::Before;
 use crate::contact::facing::Facing;
 use crate::contact::kinematics::{ContactKinematics, PointRowsMut};
 use crate::contact::pairs::Contact;
 use slideline_mech::contact::pair::{EdgePoint, EdgesBefore};
 use slideline_mech::contact::tangential::Tangential;
-use slideline_mech::vector::Vector;
 
 /// Nodes of a crossing and of the one of the last commit, by side and place.
 const MOST_NODES: usize = 8;
@@ -23,7 +22,9 @@ impl Contact {
         before: Before<'_>,
         into: &mut ContactKinematics,
     ) {
-        for own in &self.crossings {
+        let mut rooms = std::mem::take(&mut into.crossings);
+        rooms.resize_with(self.crossings.len(), PlacedSides::default);
+        for (own, placed) in self.crossings.iter().zip(&mut rooms) {
             let places = own.slots.iter().flat_map(Clone::clone);
             for place in places.clone() {
                 let into = &mut into.at_mut(place);
@@ -33,12 +34,11 @@ impl Contact {
             if own.is_absent {
                 continue;
             }
-            let at = own.sides().map(|side| side.place(u));
-            let at = [&at[0][..], &at[1][..]];
+            own.place(u, placed);
             let mut known: Vec<usize> = places.filter_map(|place| before.face(place)).collect();
             known.sort_unstable();
             let held = |edges| known.binary_search(&own.number(edges)).is_ok();
-            let found = own.found(at, held);
+            let found = own.found(placed, held);
             let of_line = |own: &EdgeCrossings, found: &Found| own.lines(found.edges)[0];
             for group in found.chunk_by(|a, b| of_line(own, a) == of_line(own, b)) {
                 let slots = own.slots[of_line(own, &group[0])].clone();
@@ -46,19 +46,20 @@ impl Contact {
                     self.locate_crossing(
                         own,
                         (place, &found),
-                        (at, before),
+                        (u, before),
                         &mut into.at_mut(place),
                     );
                 }
             }
         }
+        into.crossings = rooms;
     }
 
     fn locate_crossing(
         &self,
         own: &EdgeCrossings,
         (place, found): (usize, &Found),
-        (at, before): ([&[Vector]; 2], Before<'_>),
+        (u, before): (&[f64], Before<'_>),
         into: &mut PointRowsMut<'_>,
     ) {
         let committed = before.points.get(place);
@@ -71,7 +72,7 @@ impl Contact {
         let stood = stood.and_then(|point| Some((point.footing?, point.along?)));
         let edges_then = stood.map(|(footing, _)| own.edges(footing.place.face));
         let then = stood.map(|(footing, _)| EdgesBefore {
-            ends: own.ends(own.edges(footing.place.face), at),
+            ends: own.ends(own.edges(footing.place.face), u),
             at: footing.place.at,
         });
         let point = EdgePoint::new(found.gap, then);
@@ -81,7 +82,7 @@ impl Contact {
         into.point.allow(self.crossing_allowance(own, (place, found), before));
         into.point.along = origin + point.slip;
         into.point.normal = found.gap.normal;
-        into.point.position = point.position(own.slave.ends(found.edges[0], at[0]));
+        into.point.position = point.position(own.slave.ends(found.edges[0], u));
         into.point.facing = Some(Facing::Edges(found.edges));
         into.point.footing = Some(point.footing(own.number(found.edges)));
         write_rows(own, (found.edges, edges_then), &point, into);
@@ -99,23 +100,24 @@ fn write_rows(
         let [slave, master] = [own.slave.edges[edges[0]].ends, own.master.edges[edges[1]].ends];
         [(0, slave[0]), (0, slave[1]), (1, master[0]), (1, master[1])]
     };
-    let mut nodes = Vec::with_capacity(MOST_NODES);
-    nodes.extend(ends(edges));
+    let (mut nodes, mut count) = ([(0, 0); MOST_NODES], 4);
+    nodes[..4].copy_from_slice(&ends(edges));
     let before = then.map_or([0; 4], |then| {
         ends(then).map(|end| {
-            nodes.iter().position(|&own| own == end).unwrap_or_else(|| {
-                nodes.push(end);
-                nodes.len() - 1
+            let known = nodes[..count].iter().position(|&own| own == end);
+            known.unwrap_or_else(|| {
+                nodes[count] = end;
+                count += 1;
+                count - 1
             })
         })
     });
-    let dofs: Vec<usize> = nodes
-        .iter()
-        .flat_map(|&(side, node)| own.sides()[side].nodes[node].dofs.as_slice())
-        .copied()
-        .collect();
-    let width = dofs.len();
-    let rows = into.rows.start(&dofs);
+    let mut dofs = [0; 3 * MOST_NODES];
+    for (&(side, node), dofs) in nodes[..count].iter().zip(dofs.chunks_exact_mut(3)) {
+        dofs.copy_from_slice(own.sides()[side].nodes[node].dofs.as_slice());
+    }
+    let width = 3 * count;
+    let rows = into.rows.start(&dofs[..width]);
     point.rows(|row, is_before, end, value| {
         let node = if is_before { before[end] } else { end };
         let row = &mut rows[row * width + 3 * node..][..3];

@@ -3,7 +3,9 @@
 use crate::dofs::{DofMap, Translations};
 use slideline_mech::contact::search::edges::PlacedEdge;
 use slideline_mech::contact::search::faces::FacePlace;
-use slideline_mech::vector::{Vector, cross, sub};
+use slideline_mech::contact::search::tree::BoxTree;
+use slideline_mech::surface::mesh::area_between;
+use slideline_mech::vector::Vector;
 use slideline_model::{EdgeLine, Model, NodeIndex};
 use std::collections::HashMap;
 use std::ops::Range;
@@ -60,6 +62,24 @@ pub(crate) struct SideEdge {
     pub line: usize,
 }
 
+/// Where the edges of both sides stand, in room that is used again.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct PlacedSides {
+    /// Nodes of the slave and of the master [L].
+    at: [Vec<Vector>; 2],
+    /// Edges of both.
+    pub edges: [Vec<PlacedEdge>; 2],
+    /// The tree over edges of the master.
+    pub tree: Option<BoxTree<3>>,
+}
+
+impl SideNode {
+    /// Where it stands at displacements `u` [L].
+    fn place(&self, u: &[f64]) -> Vector {
+        self.dofs.displace(self.position, u)
+    }
+}
+
 impl EdgeSide {
     /// Lines of edges with their dofs.
     pub fn new(lines: &[EdgeLine], dofs: &DofMap) -> Self {
@@ -94,21 +114,22 @@ impl EdgeSide {
         }
     }
 
-    /// Where its nodes stand [L].
-    pub fn place(&self, u: &[f64]) -> Vec<Vector> {
-        self.nodes.iter().map(|own| own.dofs.displace(own.position, u)).collect()
+    /// Where the ends of an edge stand at displacements `u` [L].
+    pub fn ends(&self, edge: usize, u: &[f64]) -> [Vector; 2] {
+        self.edges[edge].ends.map(|node| self.nodes[node].place(u))
     }
 
-    /// The ends of an edge [L].
-    pub fn ends(&self, edge: usize, at: &[Vector]) -> [Vector; 2] {
-        self.edges[edge].ends.map(|node| at[node])
-    }
-
-    /// An edge where it stands.
-    pub fn placed(&self, edge: usize, at: &[Vector]) -> PlacedEdge {
-        let faces = &self.edges[edge].faces;
-        let normals = [&faces[0], &faces[1]].map(|face| normal(face, at));
-        PlacedEdge::new(self.ends(edge, at), normals)
+    /// Where its nodes and edges stand.
+    fn place(&self, u: &[f64], at: &mut Vec<Vector>, edges: &mut Vec<PlacedEdge>) {
+        at.clear();
+        at.extend(self.nodes.iter().map(|own| own.place(u)));
+        edges.clear();
+        edges.extend(self.edges.iter().map(|own| {
+            let [first, second] = &own.faces;
+            let normals =
+                [first, second].map(|face| area_between(face.len(), |corner| at[face[corner]]));
+            PlacedEdge::new(own.ends.map(|node| at[node]), normals)
+        }));
     }
 
     /// The edges before and behind an edge in its line.
@@ -152,22 +173,26 @@ impl EdgeCrossings {
         [&self.slave, &self.master]
     }
 
-    /// Ends of the two edges of a crossing [L].
-    pub fn ends(&self, edges: [usize; 2], at: [&[Vector]; 2]) -> [[Vector; 2]; 2] {
-        [self.slave.ends(edges[0], at[0]), self.master.ends(edges[1], at[1])]
+    /// Where the ends of the two edges of a crossing stand at displacements `u` [L].
+    pub fn ends(&self, edges: [usize; 2], u: &[f64]) -> [[Vector; 2]; 2] {
+        [self.slave.ends(edges[0], u), self.master.ends(edges[1], u)]
+    }
+
+    /// Where both sides stand at displacements `u`.
+    pub fn place(&self, u: &[f64], into: &mut PlacedSides) {
+        for ((side, at), edges) in self.sides().into_iter().zip(&mut into.at).zip(&mut into.edges) {
+            side.place(u, at, edges);
+        }
+        let masters = &into.edges[1];
+        let bounds = |edge: usize| masters[edge].bounds();
+        match &mut into.tree {
+            Some(tree) => tree.fit(bounds),
+            None => into.tree = Some(BoxTree::new(masters.len(), bounds)),
+        }
     }
 
     /// The lines of the two edges of a crossing.
     pub fn lines(&self, edges: [usize; 2]) -> [usize; 2] {
         [self.slave.edges[edges[0]].line, self.master.edges[edges[1]].line]
-    }
-}
-
-/// The normal of a face by its corners, of any length.
-fn normal(face: &[usize], at: &[Vector]) -> Vector {
-    let way = |from: usize, to: usize| sub(at[face[to]], at[face[from]]);
-    match face.len() {
-        3 => cross(way(0, 1), way(0, 2)),
-        _ => cross(way(0, 2), way(1, 3)),
     }
 }

@@ -1,6 +1,5 @@
 //! How the rows of a crossing turn with its edges.
 
-use super::sides::EdgeSide;
 use crate::contact::kinematics::{GeometryScratch, PointRows};
 use crate::contact::pairs::Contact;
 use slideline_mech::contact::gap::edges::{EdgeGap, VARIABLES};
@@ -21,14 +20,7 @@ impl Contact {
         tangent.clear();
         tangent.resize(m * m, 0.0);
         let Some(own) = self.crossings_of(pair) else { return };
-        let stands = |side: &EdgeSide, edge: usize| {
-            side.edges[edge].ends.map(|node| {
-                let node = &side.nodes[node];
-                node.dofs.displace(node.position, u)
-            })
-        };
-        let ends = [stands(&own.slave, edges[0]), stands(&own.master, edges[1])];
-        let Some(gap) = EdgeGap::new(ends, kinematics.normal) else { return };
+        let Some(gap) = EdgeGap::new(own.ends(edges, u), kinematics.normal) else { return };
         let mut own = [0.0; VARIABLES * VARIABLES];
         gap.derivative(normal, tangential.0, &mut own);
         for (row, from) in tangent.chunks_exact_mut(m).zip(own.chunks_exact(VARIABLES)) {

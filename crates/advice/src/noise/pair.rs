@@ -1,0 +1,326 @@
+//! What one pair does over a run, and what that asks to be said.
+
+use slideline_diag::{Code, Diagnostic, Span};
+use slideline_measures::PairNoise;
+use slideline_model::{ContactPair, Formulation, Master, Model, NodeIndex, NormalLaw, Vocabulary};
+use slideline_solve::observe::PairRow;
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+/// Penetration above which a softened law has been pressed too far, in c0 [1].
+const DEEP: f64 = 3.0;
+/// Depth beyond the mean over a slave face above which a face does not see what lies in it, in sizes of
+/// the face [1]: edges and corners make 0.1 and more, round parts on coarse meshes up to 0.085 (measured).
+const UNSEEN: f64 = 0.1;
+/// The same beside the corner of an analytical surface, which has no node that holds it, while the pair is open [1]: a
+/// fifth, as straight sides show nothing then, and round parts with a corner elsewhere up to l/5R at a radius R.
+const UNSEEN_AND_OPEN: f64 = 0.02;
+/// Forces of one pair that are left over, relative to their magnitudes [1]:
+/// thousands of times what rounding leaves.
+const UNBALANCED: f64 = 1e-9;
+
+#[derive(Clone, Debug)]
+pub(super) struct Pair {
+    pub name: String,
+    pub origin: Span,
+    vocabulary: Vocabulary,
+    clearance: Option<f64>,
+    /// Whether contact is sampled at nodes that hand the force on; stations of
+    /// integrated contact come and go without pressure.
+    hands_over: bool,
+    /// Whether its slaves stand on the side along which contact wanders.
+    wanders: bool,
+    /// Whether it was ever closed.
+    pub touched: bool,
+    changes: usize,
+    penetration: f64,
+    deepest: u64,
+    /// Largest depth that faces do not see, with a node of the face and the increment.
+    unseen: (f64, u64, usize),
+    /// Whether its master has a sharp corner that stands out and that no node holds.
+    has_corner: bool,
+    /// The same depth of increments in which the pair is open, where there is such a corner.
+    unseen_and_open: (f64, u64, usize),
+    /// The node that carries most in each increment, where one touches.
+    pub carriers: Vec<Option<NodeIndex>>,
+    /// Largest imbalance of forces and of moments, and its increment.
+    imbalance: [(f64, usize); 2],
+}
+
+impl Pair {
+    pub fn new(pair: &ContactPair) -> Self {
+        let clearance = match pair.interaction.normal {
+            NormalLaw::Exponential { clearance, .. }
+            | NormalLaw::CalculixExponential { clearance, .. } => Some(clearance),
+            _ => None,
+        };
+        Self {
+            name: pair.name.clone(),
+            origin: pair.origin,
+            vocabulary: pair.vocabulary,
+            clearance,
+            hands_over: pair.formulation == Formulation::NodeToSurface,
+            wanders: pair.formulation == Formulation::NodeToSurface
+                && matches!(pair.master, Master::RigidSurface(_)),
+            touched: false,
+            changes: 0,
+            penetration: 0.0,
+            deepest: 0,
+            unseen: (0.0, 0, 0),
+            has_corner: has_corner(&pair.master),
+            unseen_and_open: (0.0, 0, 0),
+            carriers: Vec::new(),
+            imbalance: [(0.0, 0); 2],
+        }
+    }
+
+    /// Over how many slave nodes contact has moved in a range of increments.
+    pub fn passed(&self, range: Range<usize>) -> usize {
+        let seen = self.carriers.get(range).unwrap_or_default().iter().flatten();
+        seen.collect::<BTreeSet<_>>().len()
+    }
+
+    pub fn follow(
+        &mut self,
+        model: &Model,
+        row: &PairRow,
+        carrier: Option<NodeIndex>,
+        increment: usize,
+    ) {
+        self.touched |= row.closed > 0;
+        self.changes += row.changes;
+        self.carriers.resize(increment.saturating_sub(1), None);
+        self.carriers.push(carrier);
+        if row.penetration > self.penetration {
+            self.penetration = row.penetration;
+            self.deepest = row.deepest.map_or(0, |node| model.nodes.label(node));
+        }
+        let unseen =
+            (row.unseen_depth, row.unseen.map_or(0, |node| model.nodes.label(node)), increment);
+        self.unseen = deeper(self.unseen, unseen);
+        if self.has_corner && row.closed == 0 {
+            self.unseen_and_open = deeper(self.unseen_and_open, unseen);
+        }
+        let now = [row.force_imbalance, row.moment_imbalance];
+        for (largest, now) in self.imbalance.iter_mut().zip(now) {
+            if now > largest.0 || now.is_nan() {
+                *largest = (now, increment);
+            }
+        }
+    }
+
+    pub fn noise(&self, increments: usize) -> PairNoise {
+        PairNoise {
+            name: self.name.clone(),
+            changes: self.changes,
+            changes_per_increment: self.changes as f64 / increments.max(1) as f64,
+            penetration: self.penetration,
+            penetration_over_c0: self.clearance.map(|c0| self.penetration / c0),
+            force_imbalance: self.imbalance[0].0,
+            moment_imbalance: self.imbalance[1].0,
+        }
+    }
+
+    /// What its measures ask to be said.
+    pub fn findings(&self, noise: &PairNoise, increments: usize) -> Vec<Diagnostic> {
+        let said = [
+            self.changing(noise, increments),
+            self.pressed(noise),
+            self.unbalanced(),
+            self.unseen(),
+        ];
+        said.into_iter().flatten().collect()
+    }
+
+    /// SL0611: contact moves to other points in nearly every increment.
+    fn changing(&self, noise: &PairNoise, increments: usize) -> Option<Diagnostic> {
+        let rate = noise.changes_per_increment;
+        if !self.hands_over || rate <= 1.0 || increments < 5 {
+            return None;
+        }
+        let message = format!(
+            "contact of {} changed at {rate:.1} points per increment: the force moves from node \
+             to node, and a friction onset other than IMMEDIATE would drop its friction",
+            self.name
+        );
+        let help = if self.wanders {
+            format!(
+                "keep FRICTION ONSET=IMMEDIATE; for a smoother force put the slaves on the body \
+                 on which the contact point does not move, or {}",
+                self.vocabulary.integrate()
+            )
+        } else {
+            "keep FRICTION ONSET=IMMEDIATE; shorter increments on *STATIC show the changes one by \
+             one"
+            .to_owned()
+        };
+        Some(Diagnostic::advice(Code("SL0611"), message).at(self.origin).help(help))
+    }
+
+    /// SL0612: a softened law pressed beyond what it was made for.
+    fn pressed(&self, noise: &PairNoise) -> Option<Diagnostic> {
+        let ratio = noise.penetration_over_c0.filter(|&ratio| ratio > DEEP)?;
+        let message = format!(
+            "node {} of {} penetrates by {:.3e}, {ratio:.1} times c0: the contact is softer than \
+             intended",
+            self.deepest, self.name, self.penetration
+        );
+        Some(Diagnostic::advice(Code("SL0612"), message).at(self.origin).help(format!(
+            "raise p0 on {} to the order of the contact pressure",
+            self.vocabulary.softened()
+        )))
+    }
+
+    /// SL0615: an edge or a corner in the other side, which the mean over faces does not show.
+    fn unseen(&self) -> Option<Diagnostic> {
+        let ((depth, node, increment), held) = if self.unseen.0 > UNSEEN {
+            (self.unseen, "contact forces there are too small")
+        } else if self.unseen_and_open.0 > UNSEEN_AND_OPEN {
+            (self.unseen_and_open, "the pair is open")
+        } else {
+            return None;
+        };
+        let message = format!(
+            "an edge or a corner goes through {}: in increment {increment} the slave face of node {node} and \
+             the master stand in one another by {depth:.2} of the size of the face, and the mean gap over \
+             the face does not show it; {held}",
+            self.name
+        );
+        Some(Diagnostic::warning(Code("SL0615"), message).at(self.origin).help(
+            "mesh the edge with elements no longer than the faces that it stands in: nodes of sharp edges are \
+             held by themselves; against the edge of an analytical surface give the slave smaller faces, or \
+             round the edge with FILLET RADIUS",
+        ))
+    }
+
+    /// SL0613: forces on one side of the pair that the other does not feel.
+    fn unbalanced(&self) -> Option<Diagnostic> {
+        let [force, moment] = self.imbalance;
+        let balances = |(left, _): (f64, usize)| left <= UNBALANCED; // not so for what is no number
+        let (what, (left, increment)) = match (balances(force), balances(moment)) {
+            (true, true) => return None,
+            (false, _) => ("forces", force),
+            (true, false) => ("moments", moment),
+        };
+        let message = format!(
+            "the {what} that the two sides of {} exert on one another do not cancel: {left:.1e} \
+             of their magnitude remains in increment {increment}",
+            self.name
+        );
+        Some(Diagnostic::warning(Code("SL0613"), message).at(self.origin).help(
+            "do not use this run: action and reaction must cancel to rounding; please report the \
+             deck",
+        ))
+    }
+
+    /// One for tests.
+    #[cfg(test)]
+    pub fn example() -> Self {
+        Self {
+            name: "IRS".into(),
+            origin: Span::default(),
+            clearance: Some(1e-5),
+            vocabulary: Vocabulary::default(),
+            hands_over: true,
+            wanders: true,
+            touched: false,
+            changes: 0,
+            penetration: 0.0,
+            deepest: 0,
+            unseen: (0.0, 0, 0),
+            has_corner: true,
+            unseen_and_open: (0.0, 0, 0),
+            carriers: Vec::new(),
+            imbalance: [(0.0, 0); 2],
+        }
+    }
+}
+
+/// Whether a master has a sharp corner that stands out and is no node: one of an analytical surface.
+fn has_corner(master: &Master) -> bool {
+    let Master::RigidSurface(surface) = master else { return false };
+    slideline_solve::rigid_surface(surface).is_some_and(|own| own.is_sharp())
+}
+
+/// The deeper one of two places.
+fn deeper(known: (f64, u64, usize), now: (f64, u64, usize)) -> (f64, u64, usize) {
+    if now.0 > known.0 { now } else { known }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Requirement: a pair out of balance is found, wherever in the run, and
+    /// told with its increment; rounding is not.
+    #[test]
+    fn a_pair_out_of_balance_is_found() {
+        let model = Model::default();
+        let mut pair = Pair::example();
+        for increment in 1..=20 {
+            let row =
+                PairRow { force_imbalance: 1e-15, moment_imbalance: 3e-13, ..PairRow::default() };
+            pair.follow(&model, &row, None, increment);
+        }
+        assert_eq!(pair.unbalanced(), None);
+        let row = PairRow { moment_imbalance: 1e-5, ..PairRow::default() };
+        pair.follow(&model, &row, None, 21);
+        let said = pair.unbalanced().map(|said| (said.code, said.message));
+        let (code, message) = said.unwrap_or((Code(""), String::new()));
+        assert_eq!(code, Code("SL0613"));
+        assert!(message.contains("moments") && message.contains("increment 21"), "{message}");
+        let row = PairRow { force_imbalance: f64::NAN, ..PairRow::default() };
+        pair.follow(&model, &row, None, 22);
+        assert!(pair.unbalanced().is_some_and(|said| said.message.contains("forces")));
+    }
+
+    /// Requirement: the deepest place that faces do not see is told with its increment, and what the
+    /// coarse mesh of a round part makes is not.
+    #[test]
+    fn what_faces_do_not_see_is_told() {
+        let model = Model::default();
+        let mut pair = Pair::example();
+        let row = |unseen_depth| PairRow { unseen_depth, closed: 1, ..PairRow::default() };
+        pair.follow(&model, &row(0.085), None, 1);
+        assert_eq!(pair.unseen(), None);
+        pair.follow(&model, &row(0.4), None, 2);
+        pair.follow(&model, &row(0.2), None, 3);
+        let said = pair.unseen().unwrap();
+        assert_eq!(said.code, Code("SL0615"));
+        let text = &said.message;
+        assert!(text.contains("increment 2") && text.contains("0.40"), "{text}");
+    }
+
+    /// Requirement: a corner that no node holds, in the other part while the pair is open, is told of long before; round
+    /// parts are not.
+    #[test]
+    fn a_corner_in_faces_that_are_open_is_told() {
+        let model = Model::default();
+        let mut pair = Pair::example();
+        let row = |unseen_depth, closed| PairRow { unseen_depth, closed, ..PairRow::default() };
+        pair.follow(&model, &row(0.015, 0), None, 1);
+        pair.follow(&model, &row(0.06, 1), None, 2);
+        assert_eq!(pair.unseen(), None);
+        pair.follow(&model, &row(0.047, 0), None, 3);
+        let text = pair.unseen().unwrap().message;
+        assert!(text.contains("increment 3") && text.contains("is open"), "{text}");
+        let mut round = Pair { has_corner: false, ..Pair::example() };
+        round.follow(&model, &row(0.047, 0), None, 1);
+        assert_eq!(round.unseen(), None);
+    }
+
+    #[test]
+    fn penetration_is_held_against_c0() {
+        let model = Model::default();
+        let mut pair = Pair::example();
+        let row = PairRow { penetration: 2.9e-5, changes: 2, ..PairRow::default() };
+        pair.follow(&model, &row, None, 1);
+        assert_eq!(pair.pressed(&pair.noise(1)), None);
+        let row = PairRow { penetration: 4e-5, ..PairRow::default() };
+        pair.follow(&model, &row, None, 2);
+        let noise = pair.noise(2);
+        assert_eq!(noise.changes_per_increment, 1.0);
+        assert_eq!(noise.penetration_over_c0, Some(4e-5 / 1e-5));
+        assert!(pair.pressed(&noise).is_some());
+    }
+}
