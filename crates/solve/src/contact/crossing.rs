@@ -24,8 +24,9 @@ use slideline_mech::contact::search::faces::near_way;
 use slideline_mech::contact::search::outlook::Outlook;
 use slideline_mech::contact::search::pass::cross_faces;
 use slideline_mech::contact::search::sweep::{apart, cross_parts};
+use slideline_mech::surface::mesh::FaceMesh;
 use slideline_mech::turn::Turn;
-use slideline_mech::vector::dot;
+use slideline_mech::vector::{dot, size, sub};
 
 /// A master that was passed through.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,6 +84,9 @@ struct Event {
     /// In the frame of the body, of a rigid master [L].
     at: [f64; 3],
     inward: bool,
+    /// How far the point would go past a face that it crosses, over the whole increment [L]; not
+    /// known of other masters and at the ends of the way.
+    past: f64,
 }
 
 /// Largest turn of a dof in a part of the way that is taken as straight [1].
@@ -94,6 +98,9 @@ const CUT: f64 = 0.1;
 /// Way round a corner over the way through it, up to which a path cut a
 /// corner and did not go through a wall [1].
 const ROUND: f64 = 3.0;
+/// Cosine of the angle between two faces from which on they are both sides of a wall, and no longer
+/// those of a corner: 120 degrees.
+const WALL: f64 = -0.5;
 /// Places at which the depth of a path is looked at.
 const SAMPLES: usize = 8;
 
@@ -186,7 +193,9 @@ impl Contact {
                     cross_faces(mesh, positions, faces, (way[0], way[1]), |crossing| {
                         let (normal, inward) = (crossing.normal, crossing.inward);
                         let fraction = share(crossing.fraction);
-                        let event = Event { fraction, along: 0.0, normal, at: way[0], inward };
+                        let past = parts as f64 * way_past(mesh, positions, crossing.segment, way);
+                        let at = way[0];
+                        let event = Event { fraction, along: 0.0, normal, at, inward, past };
                         events.push((place, event));
                     });
                 }
@@ -208,7 +217,8 @@ impl Contact {
                         let own = crossing.parameter * chain.reference_length(crossing.segment);
                         let (normal, inward) = (crossing.normal, crossing.inward);
                         let (fraction, along) = (share(crossing.fraction), start + own);
-                        events.push((place, Event { fraction, along, normal, at: way[0], inward }));
+                        let (at, past) = (way[0], f64::INFINITY);
+                        events.push((place, Event { fraction, along, normal, at, inward, past }));
                     });
                 }
             }
@@ -294,14 +304,14 @@ impl Contact {
                 )
             }
         };
-        let along = along[0];
+        let (along, past) = (along[0], f64::INFINITY);
         let master = &self.masters[point.pair];
         if !matches!(master, MasterSurface::Body { .. }) {
-            return Some(Event { fraction, along, normal, at: position, inward });
+            return Some(Event { fraction, along, normal, at: position, inward, past });
         }
         let body = master.placed_body(u);
         let (normal, at) = (body.turn_back(normal), body.to_body(position));
-        Some(Event { fraction, along, normal, at, inward })
+        Some(Event { fraction, along, normal, at, inward, past })
     }
 
     /// Whether a node that was closed and faces nothing now went down into its
@@ -334,7 +344,9 @@ impl Contact {
     fn is_through(&self, place: usize, from: &Event, to: &Event) -> bool {
         let pair = self.points[place].pair;
         if let MasterSurface::Faces { .. } = &self.masters[pair] {
-            return dot(from.normal, to.normal) < 0.0;
+            let within = (to.fraction - from.fraction) * from.past.min(to.past);
+            let cosine = dot(from.normal, to.normal);
+            return cosine < 0.0 && (cosine < WALL || within > CUT * self.spacing[pair]);
         }
         let MasterSurface::Body { surface, .. } = &self.masters[pair] else { return false };
         if dot(from.normal, to.normal) >= 0.0 {
@@ -356,6 +368,18 @@ impl Contact {
     }
 }
 
+/// How far a point goes past a face on its way, at most [L].
+fn way_past(
+    mesh: &FaceMesh,
+    (before, after): (&[[f64; 3]], &[[f64; 3]]),
+    face: usize,
+    way: [[f64; 3]; 2],
+) -> f64 {
+    let moved = sub(way[1], way[0]);
+    let past = |&node: &usize| size(sub(moved, sub(after[node], before[node])));
+    mesh.faces()[face].nodes.iter().map(past).fold(0.0, f64::max)
+}
+
 /// The crossings of the way of a slave node through a rigid surface, by what its faces look at.
 fn cross_body(
     surface: &RigidSurface,
@@ -369,7 +393,7 @@ fn cross_body(
         if outlook.meets(crossing.normal) {
             let at = between(local[0], local[1], crossing.fraction);
             let (normal, inward, fraction) = (crossing.normal, crossing.inward, crossing.fraction);
-            each(Event { fraction, along, normal, at, inward });
+            each(Event { fraction, along, normal, at, inward, past: f64::INFINITY });
         }
     });
 }

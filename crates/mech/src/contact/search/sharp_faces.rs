@@ -28,7 +28,7 @@ pub fn closest(
     (point, extension, before, outlook): (Vector, f64, Option<usize>, &Outlook),
     room: &mut PlacedFace,
 ) -> Option<FacePlace> {
-    let about = About { mesh, positions, point, outlook };
+    let about = About { mesh, positions, point, outlook, extension };
     let before = before.filter(|&face| about.meets(face));
     let found = super::faces::closest(mesh, positions, tree, (point, extension, before), room);
     if outlook.is_everywhere() || mesh.swept().is_some() {
@@ -36,9 +36,13 @@ pub fn closest(
     }
     let from = found.map(|found| found.face);
     let from = from.or_else(|| nearest_face(mesh, positions, tree, point))?;
-    match about.meets(from) {
-        true => found,
-        false => about.beyond_edges(from, room).or(found),
+    if !about.meets(from) {
+        return about.beyond_edges(from, room).or(found);
+    }
+    // hardly beyond an edge the nearest face may be either side of it: both answer alike
+    match found.filter(|found| about.meets(found.face)) {
+        Some(found) => Some(found),
+        None => about.place_on(from, room).map(|(_, place)| place).or(found),
     }
 }
 
@@ -48,6 +52,8 @@ struct About<'a> {
     positions: &'a [Vector],
     point: Vector,
     outlook: &'a Outlook,
+    /// Part of its face by which an open end is prolonged [1].
+    extension: f64,
 }
 
 impl About<'_> {
@@ -101,6 +107,11 @@ impl About<'_> {
             let at = project(&patch, start, self.point)?;
             let (edge, outside) = beyond(patch.corners(), at);
             let next = self.mesh.neighbour(face, edge).filter(|_| outside > super::INSIDE);
+            if self.mesh.neighbour(face, edge).is_none()
+                && outside > self.extension.max(super::INSIDE)
+            {
+                return None;
+            }
             if let Some(next) = next.filter(|&next| {
                 self.meets(next) && !self.mesh.stands_out(face, next, self.positions)
             }) {
