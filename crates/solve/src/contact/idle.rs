@@ -86,15 +86,18 @@ impl Contact {
         look.is_fresh = false;
     }
 
-    /// Whether the way to `u` would leave all idle points open.
-    pub fn stay_idle(&self, kinematics: &ContactKinematics, u: &[f64], look: &Look) -> bool {
-        if !look.idle.contains(&true) {
-            return true;
+    /// Wakes the idle points that the way to `u` may close, which the next evaluation looks at too;
+    /// says whether there are any.
+    pub fn wake(&self, kinematics: &ContactKinematics, u: &[f64], look: &mut Look) -> bool {
+        let mut woken = false;
+        for place in 0..look.idle.len() {
+            if look.idle[place] && !self.stays_open(place, &kinematics.at(place), u, look) {
+                look.idle[place] = false;
+                woken = true;
+            }
         }
-        let idle = |place: &usize| look.idle[*place];
-        (0..self.points.len())
-            .filter(idle)
-            .all(|place| self.stays_open(place, &kinematics.at(place), u, look))
+        look.is_told |= woken;
+        woken
     }
 
     /// Whether a point bears on nothing but itself while it is open.

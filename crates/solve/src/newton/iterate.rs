@@ -16,6 +16,8 @@ const MOST_DENSE: usize = 1000;
 /// nothing: it goes along a motion that nothing holds, where rounding has left a pivot, or where contact
 /// that was thought to hold turned out to be open.
 const FAR: f64 = 1e2;
+/// Rounds in which an iteration takes in points that it had left alone, before it takes in all.
+const WAKINGS: usize = 3;
 
 impl Scratch {
     /// The correction that the factored tangent and contact, solved exactly,
@@ -96,9 +98,14 @@ impl Scratch {
         self.stand();
         self.linear_step(plan, committed, dt)?;
         self.stay_near(plan)?;
-        if !self.outside() && !self.leaves_idle(plan) {
+        for round in 0.. {
+            if self.outside() || !self.wakes_idle(plan) {
+                break;
+            }
             // what was left alone may touch within this step
-            self.evaluation.look.forget();
+            if round == WAKINGS {
+                self.evaluation.look.forget();
+            }
             self.evaluate(plan, committed, dt);
             self.linear_step(plan, committed, dt)?;
             self.stay_near(plan)?;
@@ -146,17 +153,17 @@ impl Scratch {
         }
     }
 
-    /// Whether the whole correction leaves idle points open.
-    fn leaves_idle(&mut self, plan: &Problem<'_>) -> bool {
+    /// Whether the whole correction may close points that are left alone; these wake.
+    fn wakes_idle(&mut self, plan: &Problem<'_>) -> bool {
         if !self.evaluation.look.idle.contains(&true) {
-            return true;
+            return false;
         }
         self.residual.copy_from_slice(&self.u);
         for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
             self.residual[dof] += self.correction[equation];
         }
         plan.constraints.enforce(&self.turns, &mut self.residual);
-        let Evaluation { kinematics, look, .. } = &self.evaluation;
-        plan.contact.stay_idle(kinematics, &self.residual, look)
+        let Evaluation { kinematics, look, .. } = &mut self.evaluation;
+        plan.contact.wake(kinematics, &self.residual, look)
     }
 }
