@@ -113,9 +113,8 @@ impl LinearisedContact {
                 let new = system.residual(at, context, (residual, values), None);
                 if new < size {
                     unknown.copy_from_slice(trial);
-                    // what is gained yet is rounding; held, it comes nearer by the same part with
-                    // every step
-                    if rounded && new > 0.25 * size {
+                    // held, it comes nearer by the same part with every step
+                    if holding > 0.0 && rounded && new > 0.25 * size {
                         return true;
                     }
                     break;
