@@ -38,6 +38,7 @@ mod self_contact_in_space;
 mod sharp_edges;
 mod solid_contact;
 mod space_decks;
+mod stacks;
 mod strip;
 mod strip_reference;
 mod supported_slaves;

@@ -129,3 +129,43 @@ impl About<'_> {
         None
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::search::faces;
+    use crate::element::cell::QUAD4;
+    use crate::surface::mesh::MeshFace;
+
+    /// The unit cube, its faces looking out.
+    fn cube() -> (FaceMesh, Vec<Vector>) {
+        let corner = |k: usize| [k & 1, k >> 1 & 1, k >> 2].map(|x| x as f64);
+        let positions: Vec<Vector> = (0..8).map(corner).collect();
+        let all =
+            [[4, 5, 7, 6], [0, 2, 3, 1], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        let faces = all.map(|nodes| MeshFace { cell: &QUAD4, nodes: nodes.to_vec() });
+        (FaceMesh::new(faces.to_vec(), &positions, false), positions)
+    }
+
+    /// Requirement: a corner of what stands on the cube, hardly beyond an edge of its top, meets the top as far as
+    /// that is prolonged, be it above it, upon it or in it: which side of the edge is nearer tells nothing.
+    #[test]
+    fn both_sides_of_an_edge_answer_alike() {
+        let (mesh, positions) = cube();
+        let tree = faces::tree(&mesh, &positions);
+        let mut outlook = Outlook::EVERYWHERE;
+        for normal in [[0.0, 0.0, -1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] {
+            outlook.add(normal, 1.0);
+        }
+        let mut room = PlacedFace::EMPTY;
+        for beyond in [0.0, 1e-9, 0.02, 0.049, 0.051, 0.099, 0.12, 0.3] {
+            for height in [0.02, 1e-3, 1e-9, 0.0, -1e-9, -1e-3, -0.02] {
+                let point = [1.0 + beyond, 0.4, 1.0 + height];
+                let at = (point, 0.0, None, &outlook);
+                let found = closest(&mesh, &positions, &tree, at, &mut room);
+                let meets_top = found.is_some_and(|found| found.face == 0);
+                assert_eq!(meets_top, beyond < BEYOND, "{beyond} {height}: {found:?}");
+            }
+        }
+    }
+}

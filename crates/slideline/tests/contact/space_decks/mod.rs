@@ -20,6 +20,8 @@ pub struct Last {
     pub worst: f64,
     /// Iterations of every increment.
     pub iterations: Vec<usize>,
+    /// Attempts at increments that were given up.
+    pub given_up: usize,
     /// Largest disagreement of a tangent with differences.
     pub off: f64,
     pub told: String,
@@ -29,6 +31,7 @@ impl Observer for Last {
     fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
         match event {
             Event::Committed(frame) => self.take(frame),
+            Event::AttemptFailed(_) => self.given_up += 1,
             Event::Tangent(report) => {
                 if report.off > self.off {
                     self.told = format!("{report:?}");
