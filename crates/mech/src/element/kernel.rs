@@ -124,6 +124,11 @@ pub trait Kernel: Any + Debug + Send + Sync {
         0
     }
 
+    /// Whether it makes use of them.
+    fn estimates(&self) -> bool {
+        self.estimate_size() > 0
+    }
+
     /// Writes force, tangent and trial state of an element at the displacements `q`, which it
     /// reaches from its committed state, and returns its strain energy [F L]. The force-only mode
     /// writes the same bits.

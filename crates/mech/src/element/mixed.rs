@@ -49,10 +49,10 @@ pub(super) fn arrival(number: &First<1>) -> f64 {
 }
 
 /// Axial strain below which a stress counts as none [1].
-const SLIGHT_STRAIN: f64 = 1e-9;
+pub(super) const SLIGHT_STRAIN: f64 = 1e-9;
 /// Part of the bending stiffness of a beam as long as the model that the geometric stiffness of
 /// such a stress may be [1].
-const SLIGHT_STIFFNESS: f64 = 1e-3;
+pub(super) const SLIGHT_STIFFNESS: f64 = 1e-3;
 
 /// Raises axial stresses of a beam that are next to none, in a model of size `reach` [L], to a
 /// slight tension: docs/theory.md eq. (3.30). `S` stresses a point, the axial one first.

@@ -27,6 +27,7 @@ mod pivoted;
 mod place;
 mod plane_stress;
 mod point;
+mod pressures;
 mod recipe;
 mod response;
 mod results;

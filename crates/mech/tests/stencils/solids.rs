@@ -233,6 +233,85 @@ fn derivatives() {
     }
 }
 
+fn mooney() -> Material {
+    materials().into_iter().find(|(what, _)| *what == "Mooney").unwrap().1
+}
+
+/// Pressures where a linear solution arrives.
+fn arrived(kernel: &dyn Kernel, q: &[f64], change: &[f64]) -> Vec<f64> {
+    let mut pressures = vec![f64::NAN; kernel.estimate_size()];
+    kernel.stresses_after(0, q, change, &Strains::Exact.into(), &mut pressures);
+    pressures
+}
+
+/// Requirement: with the pressures of its strains the tangent of rubber is the derivative of the force,
+/// with others what these make of the second derivative of its volume; forces and energies have the
+/// same bits whatever the pressures, and so has all of another material. Source: the area of a
+/// quadrilateral, which is quadratic in its nodes. Tolerance: rounding.
+#[test]
+fn pressures_of_their_own() {
+    for kind in kinds() {
+        let nodes = nodes(kind.0, 0.12);
+        let kernel_of = |material: &Material| kernel(&kind, material, &nodes);
+        let (rubber, metal) = (kernel_of(&mooney()), kernel_of(&hencky()));
+        let q = motion(kind.0, &nodes, STRETCH, 0.03);
+        let across = vec![0.0; state_count(&kind, &mooney())];
+        let exact = respond(&*rubber, &q, &across, Strains::Exact);
+        let estimated = matches!(kind.3, Plain | MeanDilation) && kind.2 != PlaneStress;
+        assert_eq!((rubber.estimates(), metal.estimates()), (estimated, false), "{}", name(&kind));
+        let own = arrived(&*rubber, &q, &vec![0.0; q.len()]);
+        let other: Vec<f64> = own.iter().map(|own| own + 2.0).collect();
+        let [at, far] = [&own, &other].map(|p| respond(&*rubber, &q, &across, Strains::Mixed(p)));
+        assert!(at.force == exact.force && far.force == exact.force && far.energy == exact.energy);
+        let off = |a: &[f64]| {
+            a.iter().zip(&exact.tangent).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+        };
+        assert!(off(&at.tangent) < 1e-12, "{} {}", name(&kind), off(&at.tangent));
+        assert!((off(&far.tangent) > 0.1) == estimated, "{} {}", name(&kind), off(&far.tangent));
+        if state_count(&kind, &hencky()) == 0 {
+            let [at, far] = [Strains::Exact, Strains::Mixed(&other)]
+                .map(|strains| respond(&*metal, &q, &[], strains).tangent);
+            assert_eq!(at, far, "{}", name(&kind));
+        }
+        if kind.0.nodes == 4 && kind.2 == PlaneStrain && estimated {
+            let v: Vec<f64> = (0..q.len()).map(|k| noise(3 * k + 1)).collect();
+            let volume = |by: f64| {
+                let x: Vec<[f64; 2]> = (0..4)
+                    .map(|a| [0, 1].map(|i| nodes[a][i] + q[2 * a + i] + by * v[2 * a + i]))
+                    .collect();
+                let cross = |a: usize| x[a][0] * x[(a + 1) % 4][1] - x[a][1] * x[(a + 1) % 4][0];
+                0.5 * 0.5 * (0..4).map(cross).sum::<f64>()
+            };
+            let bend = volume(1.0) + volume(-1.0) - 2.0 * volume(0.0);
+            let entry = |(k, value): (usize, f64)| v[k / q.len()] * value * v[k % q.len()];
+            let beyond = far.tangent.iter().zip(&at.tangent).map(|(far, at)| far - at);
+            let found: f64 = beyond.enumerate().map(entry).sum();
+            assert!((found - 2.0 * bend).abs() < 1e-12, "{}: {found} {bend}", name(&kind));
+        }
+    }
+}
+
+/// Requirement: pressures arrive where their derivative along the correction leads. Source: central
+/// differences. Tolerance: their error.
+#[test]
+fn pressures_arrive_by_differences() {
+    for kind in kinds() {
+        let nodes = nodes(kind.0, 0.12);
+        let kernel = kernel(&kind, &mooney(), &nodes);
+        let q = motion(kind.0, &nodes, STRETCH, 0.03);
+        let change: Vec<f64> = (0..q.len()).map(|k| 0.2 * noise(5 * k + 2)).collect();
+        let at = |t: f64| {
+            let moved: Vec<f64> = q.iter().zip(&change).map(|(q, dq)| q + t * dq).collect();
+            arrived(&*kernel, &moved, &vec![0.0; q.len()])
+        };
+        let (here, up, down) = (at(0.0), at(1e-6), at(-1e-6));
+        for (k, arrival) in arrived(&*kernel, &q, &change).iter().enumerate() {
+            let line = here[k] + (up[k] - down[k]) / 2e-6;
+            assert!((arrival - line).abs() < 1e-7, "{} {k}: {arrival} {line}", name(&kind));
+        }
+    }
+}
+
 /// Requirement: a turn and a shift make no force by themselves, and after any deformation turn the
 /// force and leave the energy. Rings turn about nothing. Source: objectivity. Tolerance: rounding.
 #[test]

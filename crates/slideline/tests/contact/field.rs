@@ -20,11 +20,11 @@ const ENERGY_IN_SPACE: f64 = 0.02;
 
 /// What a run leaves.
 #[derive(Default)]
-struct Watch {
-    attempts_given_up: usize,
-    increments: usize,
-    most_iterations: usize,
-    imbalance: f64,
+pub(crate) struct Watch {
+    pub(crate) attempts_given_up: usize,
+    pub(crate) increments: usize,
+    pub(crate) most_iterations: usize,
+    pub(crate) imbalance: f64,
     largest_energy: f64,
     missing_energy: f64,
     closed: usize,
@@ -71,7 +71,7 @@ fn run(path: &Path) -> Watch {
     run_deck((&path.display().to_string(), &deck), &SolveOptions::default())
 }
 
-fn run_deck((name, deck): (&str, &str), options: &SolveOptions) -> Watch {
+pub(crate) fn run_deck((name, deck): (&str, &str), options: &SolveOptions) -> Watch {
     let read = Job::read_text("field", deck, &ReadOptions::default());
     let model = read.model.unwrap_or_else(|| panic!("{name}: {:#?}", read.diagnostics));
     let mut watch = Watch::default();

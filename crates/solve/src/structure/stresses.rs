@@ -27,6 +27,9 @@ impl Structure<'_> {
         let mut nodes = AtNodes::default();
         let (mut q, mut moved) = ([0.0; MOST_VARIABLES], [0.0; MOST_VARIABLES]);
         for (block, kernel) in self.numbering.blocks.iter().zip(self.kernels.iter()) {
+            if !kernel.estimates() {
+                continue;
+            }
             let (q, moved) = (&mut q[..block.variables], &mut moved[..block.variables]);
             for element in block.elements.clone().filter(|&element| self.has(element)) {
                 self.read(block, element, u, q);

@@ -4,6 +4,7 @@
 use super::gather;
 use super::place;
 use super::point::{Point, States, energy};
+use super::pressures::turn_by;
 use super::recipe::Formulation;
 use super::solids::Solids;
 use crate::element::kernel::{Failure, Response, Surroundings};
@@ -49,6 +50,9 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         let joint = self.points(element, q, (under, committed, state), &mut points)?;
         gather::force(&points, force);
         if let Some(tangent) = tangent.as_deref_mut() {
+            if let Some(estimates) = self.estimated(under) {
+                turn_by(&mut points, estimates);
+            }
             gather::tangent(&points, self.is_ring(), joint.as_ref(), tangent);
         }
         let mut held = 0.0;

@@ -45,6 +45,10 @@ pub(super) struct Joint<const D: usize, const N: usize> {
     pub left: [[f64; N]; D],
     /// y, axis by axis.
     pub right: [[f64; N]; D],
+    /// gamma of docs/theory.md eq. (3.50), half of whose square is in y [F L].
+    pub square: f64,
+    /// The deformed volume [L3].
+    pub volume: f64,
 }
 
 /// Products of a pair of axes at every point, overwritten by the next pair.

@@ -1,6 +1,7 @@
 //! Solids as the solver sees them.
 
 use super::evaluate::{Task, Widened};
+use super::pressures::{After, WidenedAfter};
 use super::solids::Solids;
 use crate::element::kernel::{Failure, Kernel, Response, Scale, Surroundings};
 
@@ -23,6 +24,30 @@ impl<const D: usize, const N: usize, const P: usize> Kernel for Solids<D, N, P> 
     ) -> Result<f64, Failure> {
         let task = Task { element, q, committed, under, into };
         pulp::Arch::new().dispatch(Widened(self, task))
+    }
+
+    fn estimate_size(&self) -> usize {
+        self.pressures()
+    }
+
+    fn estimates(&self) -> bool {
+        self.estimates_pressures()
+    }
+
+    fn stresses_after(
+        &self,
+        element: usize,
+        q: &[f64],
+        change: &[f64],
+        under: &Surroundings<'_>,
+        into: &mut [f64],
+    ) {
+        let task = After { element, q, change, under, into };
+        pulp::Arch::new().dispatch(WidenedAfter(self, task));
+    }
+
+    fn tighten(&self, element: usize, reach: f64, stresses: &mut [f64]) {
+        self.raise(element, reach, stresses);
     }
 
     fn scale(&self, element: usize) -> Scale {

@@ -82,7 +82,7 @@ fn couple<const D: usize, const N: usize>(
     [pressure, volume]: [f64; 2],
     large: bool,
 ) -> Joint<D, N> {
-    let mut joint = Joint { left: [[0.0; N]; D], right: [[0.0; N]; D] };
+    let mut joint = Joint { left: [[0.0; N]; D], right: [[0.0; N]; D], square: 0.0, volume };
     let mut square = 0.0;
     for point in points {
         let j = if large { 1.0 + point.dilation } else { 1.0 };
@@ -114,6 +114,7 @@ fn couple<const D: usize, const N: usize>(
     for (right, left) in joint.right.iter_mut().zip(&joint.left) {
         right.iter_mut().zip(left).for_each(|(r, e)| *r += 0.5 * square * e);
     }
+    joint.square = square;
     joint
 }
 
@@ -130,7 +131,7 @@ fn add_even(moduli: &mut Moduli, row: &Symmetric, even: f64) {
 impl<const D: usize, const N: usize> Point<D, N> {
     /// Adds the work of a stress on the displacements of every node.
     #[inline(always)]
-    fn add_rows(&self, stress: &Symmetric, rows: &mut [[f64; N]; D]) {
+    pub(super) fn add_rows(&self, stress: &Symmetric, rows: &mut [[f64; N]; D]) {
         for (i, row) in rows.iter_mut().enumerate() {
             for (j, slopes) in self.slopes.iter().enumerate() {
                 let factor = stress[INDEX[i][j]];
@@ -144,7 +145,7 @@ impl<const D: usize, const N: usize> Point<D, N> {
 
     /// The same of the same stress in all directions.
     #[inline(always)]
-    fn add_even_rows(&self, stress: f64, rows: &mut [[f64; N]; D]) {
+    pub(super) fn add_even_rows(&self, stress: f64, rows: &mut [[f64; N]; D]) {
         for (row, slopes) in rows.iter_mut().zip(&self.slopes) {
             row.iter_mut().zip(slopes).for_each(|(sum, slope)| *sum += stress * slope);
         }
