@@ -26,7 +26,10 @@ const AT_NODE: f64 = 1e-6;
 
 /// Where the master stands nearest to faces of pairs, as far as these were asked: gap and place [L].
 #[derive(Debug, Default)]
-pub struct Nearest(HashMap<(usize, usize), Option<(f64, [f64; 3])>>);
+pub struct Nearest(HashMap<(usize, usize), Option<GapAt>>);
+
+/// A gap and where it is [L].
+type GapAt = (f64, [f64; 3]);
 
 /// A face where it stands.
 struct Face {
