@@ -14,6 +14,9 @@ use super::outlook::{BEYOND, Outlook, SUNK};
 use crate::surface::mesh::{FaceMesh, PlacedFace};
 use crate::vector::{Vector, dot, scale, size, sub};
 
+/// The same as [`BEYOND`] for a node that stood on the face: what it is let go by, it does not come back by
+/// at once.
+const KEPT: f64 = 0.15;
 /// Faces of a side that are looked at.
 const SIDE: usize = 32;
 /// Faces that are asked one after the other beyond an edge.
@@ -28,7 +31,7 @@ pub fn closest(
     (point, extension, before, outlook): (Vector, f64, Option<usize>, &Outlook),
     room: &mut PlacedFace,
 ) -> Option<FacePlace> {
-    let about = About { mesh, positions, point, outlook, extension };
+    let about = About { mesh, positions, point, outlook, extension, before };
     let before = before.filter(|&face| about.meets(face));
     let found = super::faces::closest(mesh, positions, tree, (point, extension, before), room);
     if outlook.is_everywhere() || mesh.swept().is_some() {
@@ -54,6 +57,8 @@ struct About<'a> {
     outlook: &'a Outlook,
     /// Part of its face by which an open end is prolonged [1].
     extension: f64,
+    /// The face on which the node stood.
+    before: Option<usize>,
 }
 
 impl About<'_> {
@@ -123,7 +128,8 @@ impl About<'_> {
             let height = dot(way, normal);
             let apart = size(sub(way, scale(normal, height)));
             let own = self.mesh.size(face, self.positions);
-            let near = apart <= BEYOND * own.min(self.outlook.size()) && -height <= SUNK * own;
+            let reach = if self.before == Some(face) { KEPT } else { BEYOND };
+            let near = apart <= reach * own.min(self.outlook.size()) && -height <= SUNK * own;
             return near.then_some((height.abs(), FacePlace { face, at }));
         }
         None
@@ -161,10 +167,12 @@ mod tests {
         for beyond in [0.0, 1e-9, 0.02, 0.049, 0.051, 0.099, 0.12, 0.3] {
             for height in [0.02, 1e-3, 1e-9, 0.0, -1e-9, -1e-3, -0.02] {
                 let point = [1.0 + beyond, 0.4, 1.0 + height];
-                let at = (point, 0.0, None, &outlook);
-                let found = closest(&mesh, &positions, &tree, at, &mut room);
-                let meets_top = found.is_some_and(|found| found.face == 0);
-                assert_eq!(meets_top, beyond < BEYOND, "{beyond} {height}: {found:?}");
+                for (before, reach) in [(None, BEYOND), (Some(0), KEPT)] {
+                    let at = (point, 0.0, before, &outlook);
+                    let found = closest(&mesh, &positions, &tree, at, &mut room);
+                    let meets_top = found.is_some_and(|found| found.face == 0);
+                    assert_eq!(meets_top, beyond < reach, "{beyond} {height}: {found:?}");
+                }
             }
         }
     }
