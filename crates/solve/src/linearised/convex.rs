@@ -26,11 +26,6 @@ const ROUNDS: usize = 8;
 const STEPS: usize = 60;
 /// Halvings that find the end of a step.
 const HALVINGS: usize = 40;
-/// Part of a step to which its end is found, and of the slope at its beginning that counts as
-/// none [1].
-const LEVEL: f64 = 1e-9;
-/// Stiffness, in that which a row feels, that holds rows in a step where nothing else holds them [1].
-pub(super) const HOLDING: f64 = 1e-8;
 /// Residual, relative to the multipliers, at which a step that does not halve it is rounding [1].
 const ROUNDED: f64 = 1e-8;
 /// Change of all pressures, relative to the largest, that ends the rounds [1].
@@ -64,30 +59,52 @@ impl LinearisedContact {
             compliance: &self.compliance,
             integration_points: &self.integration_points,
         };
-        let (mut before, mut part) = (f64::INFINITY, 0.0);
+        let mut before = f64::INFINITY;
         for _ in 0..STEPS {
             let size = work.evaluate(&system, &unknown, points, fixed);
             let largest = system.largest_multiplier(&unknown);
             // with many rows rounding leaves more than the least that is asked for, and all
             // further steps would go into it
-            let stays = size > 0.25 * before;
-            let rounded = stays && size <= ROUNDED * ROUNDED * largest;
+            let rounded = size <= ROUNDED * ROUNDED * largest && size > 0.25 * before;
             if !size.is_finite() || size <= 1e-24 * largest || rounded {
                 break;
             }
-            if stays && part == 1.0 && work.went_straight(system.rows, size) {
-                if work.holding > 0.0 {
-                    break; // downhill without end, or no more than rounding
-                }
-                work.hold(&system, &unknown, points, fixed);
-            }
             before = size;
             work.steps += 1;
-            if !work.find_way_down(&system, &unknown, points, fixed) {
-                break; // no way down: rows that depend on one another
-            }
+            work.find_step(&system);
             work.from.clone_from(&unknown);
-            part = work.walk(&system, &mut unknown, points, fixed);
+            if work.slope() <= 0.0 {
+                // Sliding, the structure gives way; sticking it may not: the
+                // steepest the laws can be lies above them all the way.
+                work.steepest = true;
+                work.evaluate(&system, &unknown, points, fixed);
+                work.steepest = false;
+                work.find_step(&system);
+                if work.slope() <= 0.0 {
+                    break; // no way down: rows that depend on one another
+                }
+            }
+            let (mut low, mut high) = (0.0, 1.0);
+            let mut at = 1.0;
+            for _ in 0..HALVINGS {
+                for ((q, start), step) in unknown.iter_mut().zip(&work.from).zip(&work.step) {
+                    *q = start - at * step;
+                }
+                work.settle(&system, &unknown, points, fixed);
+                let slope = work.slope();
+                if slope >= 0.0 && at == 1.0 {
+                    break; // still downhill at its end
+                }
+                if slope >= 0.0 {
+                    low = at
+                } else {
+                    high = at
+                }
+                if high - low <= 1e-9 * high {
+                    break;
+                }
+                at = 0.5 * (low + high);
+            }
         }
         self.unknown = unknown;
     }
@@ -126,73 +143,5 @@ impl LinearisedContact {
             follow(&mut points[place], answer.pressure);
         }
         change <= STEADY * largest
-    }
-}
-
-impl Descent {
-    /// Holds the rows where they are in each step from here on: something moves that only contact holds.
-    fn hold(
-        &mut self,
-        system: &System<'_>,
-        unknown: &[f64],
-        points: &LinearPoints,
-        fixed: &LawContext<'_>,
-    ) {
-        self.holding = HOLDING;
-        self.evaluate(system, unknown, points, fixed);
-    }
-
-    /// Finds a step along which the energy falls; false: there is none.
-    fn find_way_down(
-        &mut self,
-        system: &System<'_>,
-        unknown: &[f64],
-        points: &LinearPoints,
-        fixed: &LawContext<'_>,
-    ) -> bool {
-        self.find_step(system);
-        if self.slope() > 0.0 {
-            return true;
-        }
-        // Sliding, the structure gives way; sticking it may not: the steepest the laws can be lies
-        // above them all the way.
-        self.steepest = true;
-        self.evaluate(system, unknown, points, fixed);
-        self.find_step(system);
-        if self.slope() <= 0.0 && self.holding == 0.0 {
-            self.hold(system, unknown, points, fixed);
-            self.find_step(system);
-        }
-        self.steepest = false;
-        self.slope() > 0.0
-    }
-
-    /// Goes along the step to where the energy is least, or to its end; says how far.
-    fn walk(
-        &mut self,
-        system: &System<'_>,
-        unknown: &mut [f64],
-        points: &LinearPoints,
-        fixed: &LawContext<'_>,
-    ) -> f64 {
-        let level = LEVEL * self.slope();
-        let (mut low, mut high, mut at) = (0.0, 1.0, 1.0);
-        for _ in 0..HALVINGS {
-            self.go(system, (unknown, at), points, fixed);
-            let slope = self.slope();
-            if at == 1.0 && slope >= -level {
-                break; // not uphill at its end
-            }
-            if slope >= 0.0 {
-                low = at;
-            } else {
-                high = at;
-            }
-            if high - low <= LEVEL * high {
-                break;
-            }
-            at = 0.5 * (low + high);
-        }
-        at
     }
 }

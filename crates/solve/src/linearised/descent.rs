@@ -3,7 +3,7 @@
 use super::context::LawContext;
 use super::points::{Kind, LinearPoint, LinearPoints};
 use super::rows::{Row, RowSlopes, Unknown};
-use super::system::{Derivatives, System, eliminate_in_units};
+use super::system::{System, eliminate_in_units};
 use slideline_linalg::DenseLu;
 use slideline_mech::contact::enforcement::{Complementarity, TangentialComplementarity};
 use slideline_mech::contact::tangential::{Tangential, TangentialMap};
@@ -11,9 +11,6 @@ use slideline_mech::contact::tangential::{Tangential, TangentialMap};
 /// Stiffness that stands for a hard law or exact stick, in those that the
 /// structure has at the point [1].
 const STIFF: f64 = 1e5;
-/// Part of a residual that the laws may add to where a step was thought to end while they count as
-/// straight [1].
-const STRAIGHT: f64 = 0.1;
 /// Equations of a point that room is kept for.
 const ROWS: usize = 18;
 
@@ -31,15 +28,7 @@ pub(super) struct Descent {
     pub(super) jacobian: Vec<f64>,
     pub(super) factors: DenseLu,
     pub(super) stiffness: Vec<f64>,
-    /// Values of all rows, and those at the beginning of a step.
     pub(super) values: Vec<f64>,
-    pub(super) begun: Vec<f64>,
-    /// C step: how the values change along it.
-    pub(super) moved: Vec<f64>,
-    /// F where the whole step ends, if no law bends on the way.
-    pub(super) predicted: Vec<f64>,
-    /// Holds the rows where they are in this step alone, [`Derivatives::holding`].
-    pub(super) holding: f64,
     /// Whether slopes are those of stick, sliding or not.
     pub(super) steepest: bool,
     /// Steps of the last descent, over all rounds.
@@ -58,12 +47,10 @@ impl Descent {
 
     /// Room for `m` rows.
     pub(super) fn make_room(&mut self, m: usize) {
-        let Self { from, step, push, residual, jacobian, stiffness, .. } = self;
-        let Self { values, begun, moved, predicted, .. } = self;
-        let lists = [from, step, push, residual, values, begun, moved, predicted];
-        lists.into_iter().for_each(|list| list.resize(m, 0.0));
+        let Self { from, step, push, residual, jacobian, stiffness, values, .. } = self;
+        [from, step, push, residual, values].into_iter().for_each(|list| list.resize(m, 0.0));
         [jacobian, stiffness].into_iter().for_each(|square| square.resize(m * m, 0.0));
-        (self.steepest, self.holding) = (false, 0.0);
+        self.steepest = false;
     }
 
     /// F = lambda - law with the laws inserted, and dF/dq; its weighted square.
@@ -74,33 +61,23 @@ impl Descent {
         points: &LinearPoints,
         fixed: &LawContext<'_>,
     ) -> f64 {
-        for (i, value) in self.values.iter_mut().enumerate() {
-            *value = system.multiplier_and_value(i, unknown).1;
-        }
         self.residual_at(system, (unknown, true), points, fixed);
         let squares = self.residual.iter().zip(system.rows).map(|(f, row)| f * f * row.weight);
         squares.sum()
     }
 
-    /// Goes a part of the step from where it begins, and finds F there, which is all that the slope
-    /// along a known step asks for: values are linear along it.
-    pub(super) fn go(
+    /// F alone, which is all that the slope along a known step asks for.
+    pub(super) fn settle(
         &mut self,
         system: &System<'_>,
-        (unknown, part): (&mut [f64], f64),
+        unknown: &[f64],
         points: &LinearPoints,
         fixed: &LawContext<'_>,
     ) {
-        for ((q, start), step) in unknown.iter_mut().zip(&self.from).zip(&self.step) {
-            *q = start - part * step;
-        }
-        for ((value, start), moved) in self.values.iter_mut().zip(&self.begun).zip(&self.moved) {
-            *value = start + part * moved;
-        }
         self.residual_at(system, (unknown, false), points, fixed);
     }
 
-    /// F at the values, and its derivatives where they are `wanted`.
+    /// F, and its derivatives where they are `wanted`.
     fn residual_at(
         &mut self,
         system: &System<'_>,
@@ -108,20 +85,19 @@ impl Descent {
         points: &LinearPoints,
         fixed: &LawContext<'_>,
     ) {
-        let Self { residual, jacobian, stiffness, values, steepest, holding, .. } = self;
-        let (values, holding) = (&values[..], *holding);
-        let mut wanted = wanted.then_some(Derivatives { jacobian, stiffness, holding });
+        for (i, value) in self.values.iter_mut().enumerate() {
+            *value = system.multiplier_and_value(i, unknown).1;
+        }
         if !system.integration_points.is_empty() {
-            let known = (unknown, values, points);
-            system.interface(known, fixed, residual, wanted.as_mut());
+            let known = (unknown, &self.values[..], points);
+            let slope = (&mut self.jacobian[..], &mut self.stiffness[..]);
+            system.interface(known, fixed, &mut self.residual, slope);
         }
         for i in 0..system.rows.len() {
-            fixed.insert(system.rows, i, points, (values, *steepest), |i, slopes| {
-                let row = &system.rows[i];
-                let multiplier = unknown[i] + row.augmentation * (values[i] - row.start);
-                residual[i] = multiplier - slopes.value;
-                if let Some(wanted) = &mut wanted {
-                    system.differentiate(i, slopes, wanted);
+            fixed.insert(system.rows, i, points, (&self.values, self.steepest), |i, slopes| {
+                self.residual[i] = system.multiplier_and_value(i, unknown).0 - slopes.value;
+                if wanted {
+                    system.differentiate(i, &slopes, &mut self.jacobian);
                 }
             });
         }
@@ -131,31 +107,14 @@ impl Descent {
     pub(super) fn find_step(&mut self, system: &System<'_>) {
         self.step.copy_from_slice(&self.residual);
         eliminate_in_units(system.rows, &self.jacobian, &mut self.factors, &mut self.step);
-        let m = system.rows.len();
-        let dot = |row: &[f64], with: &[f64]| row.iter().zip(with).map(|(c, d)| c * d).sum::<f64>();
-        for (i, row) in system.rows.iter().enumerate() {
-            let moved = dot(&system.compliance[i * m..][..m], &self.step);
-            let met = dot(&self.jacobian[i * m..][..m], &self.step);
-            self.moved[i] = moved;
-            self.push[i] = match row.unknown {
+        let rows = system.compliance.chunks_exact(system.rows.len());
+        for ((push, row), compliance) in self.push.iter_mut().zip(system.rows).zip(rows) {
+            let moved: f64 = compliance.iter().zip(&self.step).map(|(c, d)| c * d).sum();
+            *push = match row.unknown {
                 Unknown::Multiplier { .. } => moved / row.unit,
                 Unknown::Interface { .. } => moved,
             };
-            let held = match row.unknown {
-                Unknown::Multiplier { .. } => self.holding * row.felt * moved,
-                Unknown::Interface { .. } => 0.0,
-            };
-            self.predicted[i] = self.residual[i] - met + held;
         }
-        self.begun.copy_from_slice(&self.values);
-    }
-
-    /// Whether a whole step has ended where it was thought to end, so that no law has bent on the
-    /// way: what it has left, the next one leaves as well.
-    pub(super) fn went_straight(&self, rows: &[Row], size: f64) -> bool {
-        let off = self.residual.iter().zip(&self.predicted).zip(rows);
-        let off: f64 = off.map(|((f, predicted), row)| (f - predicted).powi(2) * row.weight).sum();
-        off <= STRAIGHT * STRAIGHT * size
     }
 
     /// Energy that the step gains per length of it; below zero beyond the place

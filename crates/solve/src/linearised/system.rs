@@ -33,55 +33,34 @@ impl System<'_> {
             .fold(f64::MIN_POSITIVE, f64::max)
     }
 
-    /// What rounding leaves of the squared norm of the residual: of overclosures and slips it leaves
-    /// `rounding`, and what cancels in them leaves as much as of multipliers, `part`.
-    pub(super) fn rounding(&self, unknown: &[f64], (rounding, part): (f64, f64)) -> f64 {
-        let m = self.rows.len();
-        let left = |(i, row): (usize, &Row)| {
-            let yields = self.compliance[i * m..][..m].iter().zip(unknown);
-            let yielded: f64 = yields.map(|(c, q)| (c * q).abs()).sum();
-            let cancels = (row.free - row.start).abs() + yielded;
-            (row.felt * (rounding + part * cancels)).powi(2) * row.weight
-        };
-        self.rows.iter().enumerate().map(left).sum()
-    }
-
-    /// F = lambda - law and its squared norm, and dF/dq where it is `wanted`.
+    /// F = lambda - law, its squared norm, and dF/dq.
     pub(super) fn residual(
         &self,
         (unknown, points): (&[f64], &LinearPoints),
         context: &LawContext<'_>,
-        (residual, values): (&mut [f64], &mut [f64]),
-        mut wanted: Option<Derivatives<'_>>,
+        residual: &mut [f64],
+        (jacobian, stiffness, values): (&mut [f64], &mut [f64], &mut [f64]),
     ) -> f64 {
         if !self.integration_points.is_empty() {
             for (i, value) in values.iter_mut().enumerate() {
                 *value = self.multiplier_and_value(i, unknown).1;
             }
             let known = (unknown, &*values, points);
-            self.interface(known, context, residual, wanted.as_mut());
+            self.interface(known, context, residual, (jacobian, stiffness));
         }
         let asked = |i: usize| self.multiplier_and_value(i, unknown);
         for i in 0..self.rows.len() {
             context.ask(self.rows, i, points, asked, |i, multiplier, slopes| {
                 residual[i] = multiplier - slopes.value;
-                if let Some(wanted) = &mut wanted {
-                    self.differentiate(i, slopes, wanted);
-                }
+                self.differentiate(i, &slopes, jacobian);
             });
         }
         residual.iter().zip(self.rows).map(|(f, row)| f * f * row.weight).sum()
     }
 
     /// dF/dq of a pressure or traction.
-    pub(super) fn differentiate(
-        &self,
-        i: usize,
-        mut slopes: RowSlopes,
-        wanted: &mut Derivatives<'_>,
-    ) {
+    pub(super) fn differentiate(&self, i: usize, slopes: &RowSlopes, jacobian: &mut [f64]) {
         let m = self.rows.len();
-        slopes.by_value[i - slopes.first] += wanted.holding * self.rows[i].felt;
         let k = self.rows[i].pressure_row().unwrap_or(i);
         for j in 0..m {
             // d value/dq_j = -C_ij, d lambda_i/dq_j = delta_ij - s C_ij
@@ -97,24 +76,21 @@ impl System<'_> {
             if slopes.by_pressure != 0.0 {
                 entry -= slopes.by_pressure * by_multiplier(k);
             }
-            wanted.jacobian[i * m + j] = entry;
+            jacobian[i * m + j] = entry;
         }
     }
 
     /// The rows of equations that integration_points press on: F = q - f(d), with f the
-    /// force of all integration_points at the displacements d = free - C q; derivatives
-    /// where they are `wanted`.
+    /// force of all integration_points at the displacements d = free - C q.
     pub(super) fn interface(
         &self,
         (unknown, values, points): (&[f64], &[f64], &LinearPoints),
         context: &LawContext<'_>,
         residual: &mut [f64],
-        mut wanted: Option<&mut Derivatives<'_>>,
+        (jacobian, stiffness): (&mut [f64], &mut [f64]),
     ) {
         let m = self.rows.len();
-        if let Some(wanted) = &mut wanted {
-            wanted.stiffness.fill(0.0);
-        }
+        stiffness.fill(0.0);
         let is_interface = |i: &usize| self.rows[*i].point().is_none();
         for i in (0..m).filter(is_interface) {
             residual[i] = unknown[i];
@@ -128,12 +104,9 @@ impl System<'_> {
             for (a, &i) in integration_point.rows.iter().enumerate() {
                 residual[i] -= point.area * point.force_at(a, answer.normal, answer.tangential);
             }
-            let Some(wanted) = &mut wanted else { continue };
             let rows = integration_point.rows;
-            answer
-                .add_slope(&point, |a, b, slope| wanted.stiffness[rows[a] * m + rows[b]] += slope);
+            answer.add_slope(&point, |a, b, slope| stiffness[rows[a] * m + rows[b]] += slope);
         }
-        let Some(Derivatives { jacobian, stiffness, .. }) = wanted else { return };
         for i in (0..m).filter(is_interface) {
             let row = &mut jacobian[i * m..(i + 1) * m];
             row.fill(0.0);
@@ -147,17 +120,6 @@ impl System<'_> {
             }
         }
     }
-}
-
-/// Where the derivatives of the residual go.
-pub(super) struct Derivatives<'a> {
-    /// dF/dq, row-major.
-    pub jacobian: &'a mut [f64],
-    /// dF/dd of the interface rows, row-major over all rows.
-    pub stiffness: &'a mut [f64],
-    /// Stiffness, in that which a row feels, that holds it where it is in this step alone [1]:
-    /// what moves by contact alone has a stiffness then, and what is found does not depend on it.
-    pub holding: f64,
 }
 
 /// Eliminates with every row and column in the unit of its force, so that no
