@@ -86,8 +86,7 @@ impl Contact {
                 continue;
             }
             let number = self.slave_faces.len();
-            let corners = face.iter().map(corner).collect();
-            self.slave_faces.push(SlaveFace { corners, parts: 1.0 });
+            self.slave_faces.push(SlaveFace { corners: face.iter().map(corner).collect() });
             about.into_iter().for_each(|place| self.points[place].faces.push(number));
         }
     }
