@@ -7,7 +7,7 @@
 //!       +------+           sides of that edge are as near
 //! ```
 //!
-//! docs/theory.md 5.8, 5.14 and 8.13.
+//! docs/theory.md 5.8 and 5.14.
 
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
