@@ -192,9 +192,8 @@ impl Contact {
                     let faces = near.iter().copied().filter(meets);
                     cross_faces(mesh, positions, faces, (way[0], way[1]), |crossing| {
                         let (normal, inward) = (crossing.normal, crossing.inward);
-                        let fraction = share(crossing.fraction);
+                        let (fraction, at) = (share(crossing.fraction), way[0]);
                         let past = parts as f64 * way_past(mesh, positions, crossing.segment, way);
-                        let at = way[0];
                         let event = Event { fraction, along: 0.0, normal, at, inward, past };
                         events.push((place, event));
                     });

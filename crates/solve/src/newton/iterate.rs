@@ -102,8 +102,8 @@ impl Scratch {
             if self.outside() || !self.wakes_idle(plan) {
                 break;
             }
-            // what was left alone may touch within this step
-            if round == WAKINGS {
+            // what was left alone may touch within this step; inserted laws ask all points alike
+            if round == WAKINGS || plan.inserts_laws() {
                 self.evaluation.look.forget();
             }
             self.evaluate(plan, committed, dt);
