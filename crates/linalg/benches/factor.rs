@@ -1,6 +1,6 @@
 //! Refactorisation, one solution and many, of typical systems: chains of plane beams (3 dofs a node),
 //! a plane grid of quadrilaterals (2 dofs) and a space grid of bricks (3 dofs); with them the rate of
-//! a dense product, the measure of the machine. `cargo bench -p slideline-linalg`; a part of a name
+//! a dense product, the measure of the machine, and dense systems. `cargo bench -p slideline-linalg`; a part of a name
 //! behind `--` chooses.
 
 use std::hint::black_box;
@@ -8,7 +8,7 @@ use std::hint::black_box;
 use criterion::{Criterion, criterion_group, criterion_main};
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};
-use slideline_linalg::{BackEnd, Kind, Pattern, analyse_with};
+use slideline_linalg::{BackEnd, DenseLu, Kind, Pattern, analyse_with};
 
 /// Beam chain with `nodes` nodes: diagonally dominant values on the pattern of the elements.
 fn chain(nodes: usize) -> Pattern {
@@ -111,5 +111,23 @@ fn product(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, product, factor);
+/// Elimination of dense systems with row exchanges, as of the condensed contact problem.
+fn dense(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("dense system");
+    group.sample_size(10);
+    let mut lu = DenseLu::default();
+    for n in [30_usize, 300, 1300] {
+        let entry = |k: usize| ((k * k * 7 + 3 * k) % 101) as f64 - 50.0;
+        let matrix: Vec<f64> = (0..n * n).map(entry).collect();
+        group.bench_function(format!("of {n} equations"), |b| {
+            b.iter(|| {
+                lu.matrix_mut(n).copy_from_slice(&matrix);
+                black_box(lu.factor())
+            });
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, product, dense, factor);
 criterion_main!(benches);

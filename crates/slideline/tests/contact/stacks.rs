@@ -3,8 +3,8 @@
 //!
 //! ```text
 //!          +------+
-//!       +--+---+--+        the corner that overhangs stands on or beside the edge below it, and both
-//!       +------+           sides of that edge are as near
+//!       +--+---+--+        the corner that overhangs stands beyond an edge of the other block and on or
+//!       +------+           beside the next one: all faces at the corner of that are as near
 //! ```
 //!
 //! docs/theory.md 5.8 and 5.14.
@@ -67,7 +67,7 @@ fn stands(what: &str, deck: &str) {
 }
 
 /// Requirement: equal blocks shifted by less than a tenth of a face along sides that are flush, lower one softer or
-/// equal, two or three of them, complete: where corners stand hardly beyond an edge both sides of it answer alike.
+/// equal, two or three of them, complete: where they stand beyond corners of one another all faces there answer alike.
 #[test]
 fn shifted_equal_blocks_stand() {
     let layer =

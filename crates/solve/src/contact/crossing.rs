@@ -14,19 +14,16 @@
 //! slave point relative to its master; `between` looks at corners of the master.
 //! docs/theory.md section 5.8. (derived)
 
+mod events;
+
 use super::master::MasterSurface;
 use super::pairs::{Carrier, Contact};
 use super::positions::{MasterPositions, distance};
-use crate::constraints::Constraints;
 use crate::state::PointState;
-use slideline_mech::contact::pair::{Body, RigidSurface};
-use slideline_mech::contact::search::faces::near_way;
-use slideline_mech::contact::search::outlook::Outlook;
-use slideline_mech::contact::search::pass::cross_faces;
-use slideline_mech::contact::search::sweep::{apart, cross_parts};
-use slideline_mech::surface::mesh::FaceMesh;
-use slideline_mech::turn::Turn;
-use slideline_mech::vector::{dot, size, sub};
+use events::{Event, between};
+use slideline_mech::vector::dot;
+
+pub use events::{Sweep, SweepScratch};
 
 /// A master that was passed through.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,64 +39,13 @@ pub struct Missed {
     pub fraction: f64,
 }
 
-/// Both ends of an increment.
-#[derive(Clone, Copy)]
-pub struct Sweep<'a> {
-    /// How dependent dofs follow the others on the way.
-    pub constraints: Constraints<'a>,
-    /// Dofs that are rotations.
-    pub rotations: &'a [usize],
-    /// What rotations in space count from, a node each; empty: all from rest.
-    pub turns: &'a [Turn],
-    /// Displacements at its beginning, a dof each.
-    pub from: &'a [f64],
-    /// At its end.
-    pub to: &'a [f64],
-    /// Contact points at its beginning.
-    pub before: &'a [PointState],
-    /// At its end.
-    pub now: &'a [PointState],
-}
-
-/// Scratch of a sweep.
-#[derive(Clone, Debug, Default)]
-pub struct SweepScratch {
-    /// Displacements at both ends of a part of the way.
-    parts: [Vec<f64>; 2],
-    /// Positions of chains there [L].
-    chains: [MasterPositions; 2],
-    /// Crossings by slave points, in the order of the way.
-    events: Vec<(usize, Event)>,
-    /// Parts of a deforming master near the way of a point.
-    near: Vec<usize>,
-}
-
-/// Where a slave point enters or leaves a master, or stands at an end of its way.
-#[derive(Clone, Copy, Debug)]
-struct Event {
-    fraction: f64,
-    /// Along the first direction of the master [L].
-    along: f64,
-    normal: [f64; 3],
-    /// In the frame of the body, of a rigid master [L].
-    at: [f64; 3],
-    inward: bool,
-    /// How far the point would go past a face that it crosses, over the whole increment [L]; not
-    /// known of other masters and at the ends of the way.
-    past: f64,
-}
-
-/// Largest turn of a dof in a part of the way that is taken as straight [1].
-const TURN: f64 = 0.25;
-/// The most parts.
-const PARTS: usize = 64;
 /// Depth in spacings of slave points at which a path may cut a corner [1].
 const CUT: f64 = 0.1;
 /// Way round a corner over the way through it, up to which a path cut a
 /// corner and did not go through a wall [1].
 const ROUND: f64 = 3.0;
-/// Cosine of the angle between two faces from which on they are both sides of a wall, and no longer
-/// those of a corner: 120 degrees.
+/// Cosine of the angle between the normals of two faces from which on these are both sides of a wall, and
+/// no longer those of a corner [1]: 120 degrees.
 const WALL: f64 = -0.5;
 /// Places at which the depth of a path is looked at.
 const SAMPLES: usize = 8;
@@ -133,95 +79,6 @@ impl Contact {
             }
         }
         first
-    }
-
-    /// Fills in the crossings of all slave points, point by point in the order
-    /// of the way.
-    fn find_events(&self, sweep: &Sweep<'_>, scratch: &mut SweepScratch) {
-        let turned = |&dof: &usize| (sweep.to[dof] - sweep.from[dof]).abs();
-        let turn = sweep.rotations.iter().map(turned).fold(0.0_f64, f64::max);
-        let parts = ((turn / TURN).ceil() as usize).clamp(1, PARTS);
-        scratch.events.clear();
-        for part in 0..parts {
-            for end in 0..2 {
-                let fraction = (part + end) as f64 / parts as f64;
-                let values = sweep.from.iter().zip(sweep.to).map(|(a, b)| a + fraction * (b - a));
-                scratch.parts[end].clear();
-                scratch.parts[end].extend(values);
-                sweep.constraints.enforce(sweep.turns, &mut scratch.parts[end]);
-                self.place_masters(&scratch.parts[end], &mut scratch.chains[end]);
-            }
-            let [from, to] = &mut scratch.chains;
-            self.fit_ways(from, to);
-            for pair in 0..self.own_pairs() {
-                self.cross_pair(pair, (part, parts), scratch);
-            }
-        }
-        scratch.events.sort_by(|a, b| (a.0.cmp(&b.0)).then(a.1.fraction.total_cmp(&b.1.fraction)));
-    }
-
-    /// Adds the crossings of the slave points of a pair in a part of the way.
-    fn cross_pair(&self, pair: usize, (part, parts): (usize, usize), scratch: &mut SweepScratch) {
-        let SweepScratch { parts: u, chains, events, near } = scratch;
-        let room = self.masters[pair].swept(u, chains);
-        let share = |fraction: f64| (part as f64 + fraction) / parts as f64;
-        for (place, point) in self.points.iter().enumerate().filter(|(_, p)| p.pair == pair) {
-            if let Carrier::IntegrationPoint { segment } = point.carrier
-                && apart(self.segments[segment].hull(u).as_flattened(), &room)
-            {
-                continue;
-            }
-            let xi = self.resting_place(place);
-            let way = [0, 1].map(|end| self.place(point, xi, &u[end]));
-            if apart(&way, &room) {
-                continue;
-            }
-            let stops = |&part: &usize| self.is_stopped(point, part);
-            match &self.masters[pair] {
-                MasterSurface::Nothing => {}
-                MasterSurface::Faces { mesh, nodes, offset, .. } => {
-                    let range = *offset..offset + nodes.len();
-                    let positions = (&chains[0].nodes[range.clone()], &chains[1].nodes[range]);
-                    let Some(tree) = chains[0].face_tree(pair) else { continue };
-                    near_way(tree, (way[0], way[1]), near);
-                    let known = self.outlook(point, &u[1]);
-                    let outlook = Outlook::of(&known);
-                    let meets = |&face: &usize| {
-                        outlook.meets(mesh.normal(face, positions.1)) && stops(&face)
-                    };
-                    let faces = near.iter().copied().filter(meets);
-                    cross_faces(mesh, positions, faces, (way[0], way[1]), |crossing| {
-                        let (normal, inward) = (crossing.normal, crossing.inward);
-                        let (fraction, at) = (share(crossing.fraction), way[0]);
-                        let past = parts as f64 * way_past(mesh, positions, crossing.segment, way);
-                        let event = Event { fraction, along: 0.0, normal, at, inward, past };
-                        events.push((place, event));
-                    });
-                }
-                MasterSurface::Body { surface, .. } => {
-                    let bodies = [0, 1].map(|end| self.masters[pair].placed_body(&u[end]));
-                    let known = self.outlook(point, &u[1]);
-                    let outlook = Outlook::of(&known);
-                    cross_body(surface, bodies, (way, outlook), |own| {
-                        events.push((place, Event { fraction: share(own.fraction), ..own }));
-                    });
-                }
-                MasterSurface::Line { chain, nodes, offset, .. } => {
-                    let range = *offset..offset + nodes.len();
-                    let positions = (&chains[0].nodes[range.clone()], &chains[1].nodes[range]);
-                    chain.near_way(chains[0].tree(pair), (way[0], way[1]), near);
-                    let parts = near.iter().copied().filter(stops);
-                    cross_parts(positions, parts, (way[0], way[1]), |crossing| {
-                        let start = chain.arc_coordinate(crossing.segment);
-                        let own = crossing.parameter * chain.reference_length(crossing.segment);
-                        let (normal, inward) = (crossing.normal, crossing.inward);
-                        let (fraction, along) = (share(crossing.fraction), start + own);
-                        let (at, past) = (way[0], f64::INFINITY);
-                        events.push((place, Event { fraction, along, normal, at, inward, past }));
-                    });
-                }
-            }
-        }
     }
 
     /// Where in the increment a point entered a master that it passed through.
@@ -365,39 +222,4 @@ impl Contact {
         });
         depth.fold(0.0, f64::max) > CUT * self.spacing[pair]
     }
-}
-
-/// How far a point goes past a face on its way, at most [L].
-fn way_past(
-    mesh: &FaceMesh,
-    (before, after): (&[[f64; 3]], &[[f64; 3]]),
-    face: usize,
-    way: [[f64; 3]; 2],
-) -> f64 {
-    let moved = sub(way[1], way[0]);
-    let past = |&node: &usize| size(sub(moved, sub(after[node], before[node])));
-    mesh.faces()[face].nodes.iter().map(past).fold(0.0, f64::max)
-}
-
-/// The crossings of the way of a slave node through a rigid surface, by what its faces look at.
-fn cross_body(
-    surface: &RigidSurface,
-    bodies: [Body; 2],
-    (way, outlook): ([[f64; 3]; 2], &Outlook),
-    mut each: impl FnMut(Event),
-) {
-    let outlook = outlook.turned(|normal| bodies[1].turn_back(normal));
-    let local = [0, 1].map(|end| bodies[end].to_body(way[end]));
-    surface.crossings((local[0], local[1]), |crossing, along| {
-        if outlook.meets(crossing.normal) {
-            let at = between(local[0], local[1], crossing.fraction);
-            let (normal, inward, fraction) = (crossing.normal, crossing.inward, crossing.fraction);
-            each(Event { fraction, along, normal, at, inward, past: f64::INFINITY });
-        }
-    });
-}
-
-/// The place at a fraction of the way from `a` to `b` [L].
-fn between(a: [f64; 3], b: [f64; 3], fraction: f64) -> [f64; 3] {
-    std::array::from_fn(|c| a[c] + fraction * (b[c] - a[c]))
 }

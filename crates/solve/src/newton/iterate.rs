@@ -96,20 +96,19 @@ impl Scratch {
         dt: f64,
     ) -> Result<(), SolveError> {
         self.stand();
-        self.linear_step(plan, committed, dt)?;
-        self.stay_near(plan)?;
         for round in 0.. {
+            self.linear_step(plan, committed, dt)?;
             if self.outside() || !self.wakes_idle(plan) {
                 break;
             }
-            // what was left alone may touch within this step; inserted laws ask all points alike
+            // what was left alone may touch within this step, and hold what this one throws; a step of
+            // inserted laws is a direction that is searched, along which all are asked
             if round == WAKINGS || plan.inserts_laws() {
                 self.evaluation.look.forget();
             }
             self.evaluate(plan, committed, dt);
-            self.linear_step(plan, committed, dt)?;
-            self.stay_near(plan)?;
         }
+        self.stay_near(plan)?;
         if self.outside() {
             return Ok(());
         }

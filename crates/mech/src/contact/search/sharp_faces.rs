@@ -14,9 +14,9 @@ use super::outlook::{BEYOND, Outlook, SUNK};
 use crate::surface::mesh::{FaceMesh, PlacedFace};
 use crate::vector::{Vector, dot, scale, size, sub};
 
-/// The same as [`BEYOND`] for a node that stood on the face: what it is let go by, it does not come back by
-/// at once.
-const KEPT: f64 = 0.15;
+/// The same as [`BEYOND`] for a node that stood on the face [1]: farther by half of that, so that it does not
+/// come back by what it moves as it is let go.
+const KEPT: f64 = 1.5 * BEYOND;
 /// Faces of a side that are looked at.
 const SIDE: usize = 32;
 /// Faces that are asked one after the other beyond an edge.
@@ -42,7 +42,7 @@ pub fn closest(
     if !about.meets(from) {
         return about.beyond_edges(from, room).or(found);
     }
-    // hardly beyond an edge the nearest face may be either side of it: both answer alike
+    // beyond a corner of the master, where edges meet, any face of it may be the nearest: all answer alike
     match found.filter(|found| about.meets(found.face)) {
         Some(found) => Some(found),
         None => about.place_on(from, room).map(|(_, place)| place).or(found),
@@ -111,15 +111,14 @@ impl About<'_> {
             let patch = self.mesh.place(face, self.positions, room)?;
             let at = project(&patch, start, self.point)?;
             let (edge, outside) = beyond(patch.corners(), at);
-            let next = self.mesh.neighbour(face, edge).filter(|_| outside > super::INSIDE);
-            if self.mesh.neighbour(face, edge).is_none()
-                && outside > self.extension.max(super::INSIDE)
-            {
+            let neighbour = self.mesh.neighbour(face, edge);
+            if neighbour.is_none() && outside > self.extension.max(super::INSIDE) {
                 return None;
             }
-            if let Some(next) = next.filter(|&next| {
+            let goes_on = |&next: &usize| {
                 self.meets(next) && !self.mesh.stands_out(face, next, self.positions)
-            }) {
+            };
+            if let Some(next) = neighbour.filter(|_| outside > super::INSIDE).filter(goes_on) {
                 face = next;
                 continue;
             }
@@ -143,35 +142,57 @@ mod tests {
     use crate::element::cell::QUAD4;
     use crate::surface::mesh::MeshFace;
 
-    /// The unit cube, its faces looking out.
-    fn cube() -> (FaceMesh, Vec<Vector>) {
+    /// The unit cube, its faces looking out, the top at a place among them.
+    fn cube(top: usize) -> (FaceMesh, Vec<Vector>) {
         let corner = |k: usize| [k & 1, k >> 1 & 1, k >> 2].map(|x| x as f64);
         let positions: Vec<Vector> = (0..8).map(corner).collect();
-        let all =
+        let mut all =
             [[4, 5, 7, 6], [0, 2, 3, 1], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        all[..=top].rotate_left(1);
         let faces = all.map(|nodes| MeshFace { cell: &QUAD4, nodes: nodes.to_vec() });
         (FaceMesh::new(faces.to_vec(), &positions, false), positions)
     }
 
-    /// Requirement: a corner of what stands on the cube, hardly beyond an edge of its top, meets the top as far as
-    /// that is prolonged, be it above it, upon it or in it: which side of the edge is nearer tells nothing.
-    #[test]
-    fn both_sides_of_an_edge_answer_alike() {
-        let (mesh, positions) = cube();
+    /// Whether a corner of a block upon the cube meets the top, so far beyond an edge, `aside` beyond the next one,
+    /// and over the top.
+    fn met(
+        (top, side): (usize, usize),
+        [beyond, aside, height]: [f64; 3],
+        before: Option<usize>,
+    ) -> bool {
+        let (mesh, positions) = cube(top);
         let tree = faces::tree(&mesh, &positions);
+        let (axis, sign) = (side / 2, if side % 2 == 0 { 1.0 } else { -1.0 });
         let mut outlook = Outlook::EVERYWHERE;
-        for normal in [[0.0, 0.0, -1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] {
+        let mut outward: Vector = [0.0; 3];
+        outward[axis] = sign;
+        for normal in [[0.0, 0.0, -1.0], outward, [outward[1].abs(), outward[0].abs(), 0.0]] {
             outlook.add(normal, 1.0);
         }
-        let mut room = PlacedFace::EMPTY;
-        for beyond in [0.0, 1e-9, 0.02, 0.049, 0.051, 0.099, 0.12, 0.3] {
-            for height in [0.02, 1e-3, 1e-9, 0.0, -1e-9, -1e-3, -0.02] {
-                let point = [1.0 + beyond, 0.4, 1.0 + height];
-                for (before, reach) in [(None, BEYOND), (Some(0), KEPT)] {
-                    let at = (point, 0.0, before, &outlook);
-                    let found = closest(&mesh, &positions, &tree, at, &mut room);
-                    let meets_top = found.is_some_and(|found| found.face == 0);
-                    assert_eq!(meets_top, beyond < reach, "{beyond} {height}: {found:?}");
+        let mut point = [1.0 + aside, 1.0 + aside, 1.0 + height];
+        point[axis] = 0.5 + sign * (0.5 + beyond);
+        let at = (point, 0.0, before, &outlook);
+        let found = closest(&mesh, &positions, &tree, at, &mut { PlacedFace::EMPTY });
+        found.is_some_and(|found| found.face == top)
+    }
+
+    /// Requirement: a corner of what stands on the cube, hardly beyond an edge of its top, meets the top as far as
+    /// that is prolonged, be it above it, upon it or in it, at every edge and whichever face is found first: which
+    /// side of the edge is nearer tells nothing. One that stood on the top keeps it a little farther.
+    #[test]
+    fn both_sides_of_an_edge_answer_alike() {
+        let beyond = [0.0, 1e-9, 0.02, 0.049, 0.051, 0.099, 0.12, 0.3];
+        let aside = [-0.6, -1e-3, 0.0, 1e-3, 0.01];
+        let height = [0.02, 1e-3, 1e-9, 0.0, -1e-9, -1e-3, -0.02];
+        let places = || aside.iter().flat_map(|&a| height.map(|h| (a, h)));
+        for of in (0..6).flat_map(|top| (0..4).map(move |side| (top, side))) {
+            for (beyond, (aside, height)) in
+                beyond.iter().flat_map(|&b| places().map(move |own| (b, own)))
+            {
+                for (before, reach) in [(None, BEYOND), (Some(of.0), KEPT)] {
+                    let meets = met(of, [beyond, aside, height], before);
+                    let apart = beyond.hypot(f64::max(aside, 0.0));
+                    assert_eq!(meets, apart < reach, "{of:?} {beyond} {aside} {height} {reach}");
                 }
             }
         }
