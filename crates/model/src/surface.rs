@@ -165,7 +165,7 @@ impl OwnSurface {
 pub struct MasterFaces {
     /// The faces.
     pub faces: Vec<ContactFace>,
-    /// Whether faces that meet at less than 45 degrees are smoothed by the normals at their
+    /// Whether faces that are chords of something round are smoothed by the normals at their
     /// nodes.
     pub smooth: bool,
     /// Prolongation of the open ends of the surface, as a fraction of their faces [1].

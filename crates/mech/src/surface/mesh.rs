@@ -12,6 +12,7 @@
 //! the four markers of its body.
 
 use super::axes::{Bearing, axis, bearing_of_axis};
+use super::drawn_edges::Joints;
 pub use super::edges::{MeshFace, area_between, is_crease, nodes_at_ends, surface_ends};
 use super::edges::{area, ends, faces_around, neighbours, normal};
 use super::patch::{MOST_CORNERS, MOST_NODES, Patch};
@@ -50,6 +51,10 @@ pub struct FaceMesh {
     /// Where friction has coefficients along the axes of the surface: how axis 1 stands to the first
     /// tangent in the middle of each face; empty else [1].
     axes: Vec<Bearing>,
+    /// Edges of each face that are drawn as they are; empty where none is smoothed.
+    drawn: Vec<[bool; MOST_CORNERS]>,
+    /// Mean length of the slave faces that may stand about its edges [L].
+    pub slave: f64,
 }
 
 /// A smoothed face in its place, with the normals that smooth it.
@@ -72,11 +77,16 @@ impl FaceMesh {
         let joins = |a: usize, b: usize| !is_crease(normals[a], normals[b]);
         let behind = |face: usize| neighbours[face].iter().flatten().copied();
         let is_sharp = (0..faces.len()).any(|face| behind(face).any(|other| !joins(face, other)));
+        let joints =
+            Joints { faces: &faces, neighbours: &neighbours, around: &around, normals: &normals };
+        let drawn = if smooth { joints.drawn(|node| reference[node]) } else { Vec::new() };
+        let is_round =
+            |own: usize, edge: usize, other: usize| joins(own, other) && !drawn[own][edge];
         let joined = (0..faces.len())
             .map(|own| {
                 let smoothed = smooth && faces[own].nodes.len() == faces[own].cell.faces.len();
                 let stars = match smoothed {
-                    true => stars(&faces, own, &around, &neighbours, joins),
+                    true => stars(&faces, own, &around, &neighbours, is_round),
                     false => Vec::new(),
                 };
                 let mut stencil = faces[own].nodes.clone();
@@ -100,7 +110,8 @@ impl FaceMesh {
             .collect();
         let ends = ends(&faces, &neighbours, joins);
         let at_ends = nodes_at_ends(&faces, &ends);
-        Self { faces, joined, swept: None, is_sharp, ends, at_ends, axes: Vec::new() }
+        let (axes, slave) = (Vec::new(), f64::INFINITY);
+        Self { faces, joined, swept: None, is_sharp, ends, at_ends, axes, drawn, slave }
     }
 
     /// An analytical surface on the four markers of its body.
@@ -121,6 +132,8 @@ impl FaceMesh {
             ends: Vec::new(),
             at_ends: Vec::new(),
             axes: Vec::new(),
+            drawn: Vec::new(),
+            slave: f64::INFINITY,
         }
     }
 
@@ -194,8 +207,13 @@ impl FaceMesh {
     /// Whether a face and a neighbour of it meet at a crease that stands out.
     pub fn stands_out(&self, face: usize, other: usize, positions: &[Vector]) -> bool {
         let normal = self.normal(face, positions);
+        is_crease(normal, self.normal(other, positions)) && self.turns_away(face, other, positions)
+    }
+
+    /// Whether a neighbour of a face lies behind it.
+    pub fn turns_away(&self, face: usize, other: usize, positions: &[Vector]) -> bool {
         let aside = sub(self.middle(other, positions), self.middle(face, positions));
-        is_crease(normal, self.normal(other, positions)) && dot(aside, normal) < 0.0
+        dot(aside, self.normal(face, positions)) < 0.0
     }
 
     /// Size of a face: the root of its area [L].
@@ -206,6 +224,12 @@ impl FaceMesh {
     /// Whether some neighbours meet at a crease.
     pub fn is_sharp(&self) -> bool {
         self.is_sharp
+    }
+
+    /// Whether a face and the one behind an edge have one normal there.
+    pub fn is_smoothed_at(&self, face: usize, edge: usize) -> bool {
+        let apart = |of: &[[bool; MOST_CORNERS]]| of.get(face).is_some_and(|edges| edges[edge]);
+        !self.joined[face].stars.is_empty() && !apart(&self.ends) && !apart(&self.drawn)
     }
 
     /// Faces that share a corner with a face.
@@ -261,16 +285,17 @@ fn group(
     own: usize,
     at: &[(usize, usize)],
     neighbours: &[[Option<usize>; MOST_CORNERS]],
-    joins: impl Fn(usize, usize) -> bool,
+    joins: impl Fn(usize, usize, usize) -> bool,
 ) -> Vec<usize> {
     let mut group = vec![own];
     let mut open = vec![own];
     while let Some(face) = open.pop() {
-        for next in neighbours[face].iter().flatten() {
-            let here = at.iter().any(|(other, _)| other == next);
-            if here && !group.contains(next) && joins(face, *next) {
-                group.push(*next);
-                open.push(*next);
+        for (edge, next) in neighbours[face].iter().enumerate() {
+            let Some(next) = *next else { continue };
+            let here = at.iter().any(|(other, _)| *other == next);
+            if here && !group.contains(&next) && joins(face, edge, next) {
+                group.push(next);
+                open.push(next);
             }
         }
     }
@@ -286,7 +311,7 @@ pub fn smooth_groups(
     let neighbours = neighbours(faces);
     let around = faces_around(faces);
     let normals: Vec<_> = faces.iter().map(|face| normal(face, &position)).collect();
-    let joins = |a: usize, b: usize| !is_crease(normals[a], normals[b]);
+    let joins = |a: usize, _: usize, b: usize| !is_crease(normals[a], normals[b]);
     let lowest = |face: usize, corner: usize| {
         let at = &around[&faces[face].nodes[corner]];
         group(face, at, &neighbours, joins).into_iter().min().unwrap_or(face)
@@ -305,7 +330,7 @@ fn stars(
     own: usize,
     around: &HashMap<usize, Vec<(usize, usize)>>,
     neighbours: &[[Option<usize>; MOST_CORNERS]],
-    joins: impl Fn(usize, usize) -> bool,
+    joins: impl Fn(usize, usize, usize) -> bool,
 ) -> Vec<Vec<[usize; 2]>> {
     let corners = faces[own].cell.faces.len();
     let star = |corner: usize| {

@@ -7,6 +7,7 @@
 //! ```
 
 pub mod axes;
+mod drawn_edges;
 mod edges;
 pub mod jet;
 pub mod mesh;

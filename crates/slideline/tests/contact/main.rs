@@ -29,6 +29,7 @@ mod noise;
 mod pairs_that_leave;
 mod pressed_on_planes;
 mod profiles;
+mod ridges;
 mod rigid_meshes;
 mod ring_contact;
 mod roles_of_general_contact;

@@ -72,7 +72,7 @@ impl MasterSurface {
         match said {
             Master::RigidSurface(surface) => Self::body(model, dofs, surface, slave),
             Master::SlideLine(line) => Self::chain(model, dofs, line, (offset, slave)),
-            Master::Faces(faces) => Self::faces(model, dofs, faces, offset),
+            Master::Faces(faces) => Self::faces(model, dofs, faces, (offset, slave)),
             Master::Itself(surface) => Self::itself(model, dofs, surface, offset),
         }
     }
@@ -163,7 +163,7 @@ impl MasterSurface {
         model: &Model,
         dofs: &DofMap,
         faces: &MasterFaces,
-        offset: usize,
+        (offset, slave): (usize, f64),
     ) -> MasterSurface {
         let labels = faces.nodes();
         let place: HashMap<_, _> = labels.iter().enumerate().map(|(k, &node)| (node, k)).collect();
@@ -173,13 +173,14 @@ impl MasterSurface {
             let nodes = face.nodes.iter().map(|node| place[node]).collect();
             Some(MeshFace { cell: face.cell()?, nodes })
         });
-        let mesh = match &faces.swept {
+        let mut mesh = match &faces.swept {
             None => FaceMesh::new(of_mesh.collect(), &reference, faces.smooth),
             Some(swept) => match swept_profile(swept) {
                 Some(swept) => FaceMesh::analytical(swept),
                 None => return MasterSurface::Nothing,
             },
         };
+        mesh.slave = slave;
         let nodes = labels.iter().map(|node| (at(node), dofs.translations(*node))).collect();
         let itself = faces.meets_itself.then(|| Box::new(OwnFaces::new(&mesh, &reference)));
         MasterSurface::Faces { mesh, nodes, offset, extension: faces.extension, itself }

@@ -42,8 +42,10 @@ impl FacePlace {
 const WAY: usize = 16;
 /// Part of a face by which a point may stand beyond its edge and still belong to it: where it stood
 /// there at the last commit, so that no iteration goes to and fro between two faces, or where both
-/// faces refuse it [1].
+/// faces refuse it [1]. Of the slave's face where that is shorter and the normal leaps at the edge.
 const SEAM: f64 = 0.05;
+/// The same where the other face turns away: from there a node is pushed farther to its side.
+const RIDGE: f64 = 0.005;
 /// Newton iterations of a projection.
 const ITERATIONS: usize = 40;
 
@@ -166,7 +168,11 @@ pub(super) fn keep(
     let place = patch.place(at);
     let (edge, beyond) = beyond(patch.corners(), at);
     let allowed = match mesh.neighbour(face, edge) {
-        Some(_) => SEAM,
+        Some(_) if mesh.is_smoothed_at(face, edge) => SEAM,
+        Some(other) => {
+            let part = if mesh.turns_away(face, other, positions) { RIDGE } else { SEAM };
+            part * (mesh.slave / mesh.size(face, positions)).min(1.0)
+        }
         None => extension.max(super::INSIDE),
     };
     let (tangents, _) = patch.frame(&place)?;
