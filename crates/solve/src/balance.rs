@@ -5,7 +5,7 @@
 //!   master  -f  <---      and so for moments about any place
 //! ```
 
-use crate::contact::PointRows;
+use crate::contact::{Nearest, PointRows};
 use crate::newton::Scratch;
 use crate::observe::results::{ContactRow, PairRow, Status};
 use crate::problem::Problem;
@@ -61,12 +61,47 @@ pub fn pair_rows(
         }
         sums[pair].add(plan, state, now, &kinematics);
     }
+    falls_away(plan, state, work, rows);
     for own in plan.contact.unseen(&work.evaluation.kinematics) {
         (rows[own.pair].unseen_depth, rows[own.pair].unseen) = (own.depth, Some(own.node));
     }
     for (row, sum) in rows.iter_mut().zip(sums) {
         row.take_means();
         (row.force_imbalance, row.moment_imbalance) = sum.imbalance();
+    }
+}
+
+/// Means of how far masters fall away, and are smoothed away, at the closed nodes of pairs.
+fn falls_away(plan: &Problem<'_>, state: &State, work: &Scratch, rows: &mut [PairRow]) {
+    let (mut forces, mut known) = (vec![0.0; rows.len()], Nearest::default());
+    let points = plan.contact.points.iter().zip(&state.points).enumerate();
+    let closed = points.filter(|(_, (point, now))| now.closed && point.is_node());
+    for (place, (point, now)) in closed {
+        let (u, positions) = (&state.displacement[..], work.evaluation.positions());
+        let falls = match (plan.contact.is_edge(place), plan.contact.is_reversed(point.pair)) {
+            (false, _) => plan.contact.falls_away(place, (u, positions), &mut known),
+            (true, true) => plan.contact.edge_falls_away(place, u, positions),
+            (true, false) => None,
+        };
+        let Some(falls) = falls else { continue };
+        let (pair, force) = (plan.contact.parent(point.pair), now.area * now.pressure);
+        rows[pair].falls_away += force * falls;
+        rows[pair].smoothed_away += force * plan.contact.smoothed_away(place, u, positions);
+        forces[pair] += force;
+    }
+    for (row, force) in rows.iter_mut().zip(forces) {
+        let part = if force > 0.0 { 1.0 / force } else { 0.0 };
+        row.falls_away *= part;
+        row.smoothed_away *= part;
+    }
+}
+
+/// Takes the ways by which parts have come together, from the energies of a state.
+pub fn take_approaches(state: &State, rows: &mut [PairRow]) {
+    for row in rows {
+        let force = size(row.force);
+        row.approach =
+            if force > 0.0 { 2.0 * state.energy.of_the_model().max(0.0) / force } else { 0.0 };
     }
 }
 

@@ -14,9 +14,16 @@ use slideline_model::NodeIndex;
 #[derive(Clone, Debug)]
 pub(super) struct SlaveFace {
     pub(super) corners: Vec<(NodeIndex, [f64; 3], Translations)>,
+    /// Distances of its nodes along an edge: two where its middle nodes are slaves [1].
+    pub(super) parts: f64,
 }
 
 impl SlaveFace {
+    /// Its corners at displacements `u` [L].
+    pub(super) fn places(&self, u: &[f64]) -> Vec<[f64; 3]> {
+        self.corners.iter().map(|(_, from, dofs)| dofs.displace(*from, u)).collect()
+    }
+
     /// Its normal, of any length, and its size [L], at displacements `u`.
     pub(super) fn stands(&self, u: &[f64]) -> ([f64; 3], f64) {
         let at = |k: usize| self.corners[k].2.displace(self.corners[k].1, u);

@@ -1,0 +1,231 @@
+//! How far a master falls away from where it is met, within a face of the slave: what contact at nodes can
+//! miss of it.
+//!
+//! ```text
+//!      o----------x----------o     a slave face with its middle where the master stands nearest:
+//!      : d    .--' '--.    d :     its nodes are d away from the master
+//!      :   .-'         '-.   :
+//! ```
+//!
+//! docs/theory.md section 5.20
+
+use super::master::MasterSurface;
+use super::pairs::{Carrier, Contact, SlavePoint};
+use super::positions::MasterPositions;
+use slideline_mech::contact::pair::chain_overclosure;
+use slideline_mech::contact::search::chain::PieceKind;
+use slideline_mech::contact::search::outlook::Outlook;
+use slideline_mech::vector::{dot, size, sub};
+use std::collections::HashMap;
+
+/// Parts of a line, and of a face in each direction, whose ends are looked at.
+const PARTS: [usize; 2] = [8, 4];
+
+/// Sizes of a face within which a node is met as near as any place of its faces [1].
+const AT_NODE: f64 = 1e-6;
+
+/// Where the master stands nearest to faces of pairs, as far as these were asked: gap and place [L].
+#[derive(Debug, Default)]
+pub struct Nearest(HashMap<(usize, usize), Option<GapAt>>);
+
+/// A gap and where it is [L].
+type GapAt = (f64, [f64; 3]);
+
+/// A face where it stands.
+struct Face {
+    /// Its place among the slave faces; none of an element of a beam.
+    number: Option<usize>,
+    corners: Vec<[f64; 3]>,
+    /// Part of it that reaches from node to node [1].
+    part: f64,
+    /// Its unit normal [1].
+    normal: [f64; 3],
+}
+
+impl Face {
+    fn new(number: Option<usize>, (corners, normal): (Vec<[f64; 3]>, [f64; 3]), part: f64) -> Self {
+        let long = size(normal);
+        Self { number, corners, part, normal: normal.map(|own| own / long) }
+    }
+
+    /// Ways from its middle halfway to the next nodes, turned across a normal if there is one [L].
+    fn ways(&self, level: Option<[f64; 3]>) -> impl Iterator<Item = [f64; 3]> + '_ {
+        let middle = mean(self.corners.iter().copied());
+        self.corners.iter().map(move |&corner| {
+            let way = sub(corner, middle).map(|own| self.part * own);
+            let Some(normal) = level else { return way };
+            let share = dot(way, normal) / dot(normal, normal);
+            let across: [f64; 3] = std::array::from_fn(|axis| way[axis] - share * normal[axis]);
+            let longer = size(way) / size(across);
+            across.map(|own| longer * own)
+        })
+    }
+
+    /// Twice the longest of them [L].
+    fn long(&self) -> f64 {
+        2.0 * self.ways(None).map(size).fold(0.0, f64::max)
+    }
+}
+
+impl Contact {
+    /// How far the master of a slave node falls away from where it is met within half a face about the node, towards
+    /// every corner of the face [L]; zero where it does not on some side, `None` where nothing is known of faces.
+    pub fn falls_away(
+        &self,
+        place: usize,
+        (u, positions): (&[f64], &MasterPositions),
+        known: &mut Nearest,
+    ) -> Option<f64> {
+        let point = &self.points[place];
+        let gap = |at| self.depth_at(point, at, (u, positions)).map(|depth| -depth);
+        let nearest = |face: &Face| {
+            let places = places(&face.corners).into_iter();
+            let gaps = places.filter_map(|at| Some((gap(at)?, at)));
+            gaps.min_by(|a, b| a.0.total_cmp(&b.0))
+        };
+        let faces = self.faces_about(place, u);
+        let found = faces.iter().filter_map(|face| match face.number {
+            Some(number) => {
+                let own = known.0.entry((point.pair, number)).or_insert_with(|| nearest(face));
+                Some(((*own)?, face))
+            }
+            None => Some((nearest(face)?, face)),
+        });
+        let ((least, met), face) = found.min_by(|a, b| a.0.0.total_cmp(&b.0.0))?;
+        let (long, own) = (face.long(), self.place(point, 0.0, u));
+        // at the node itself the faces about it may lie along both flanks
+        let is_node = gap(own).is_some_and(|gap| gap <= least + AT_NODE * long);
+        let level = is_node.then(|| mean(faces.iter().map(|own| own.normal)));
+        let met = if is_node { own } else { met };
+        let falls = face.ways(level).map(|way| {
+            let there = gap(std::array::from_fn(|axis| met[axis] + way[axis]));
+            there.map_or(long, |gap| (gap - least).clamp(0.0, long))
+        });
+        falls.reduce(f64::min)
+    }
+
+    /// The same of a sharp edge of a master in the plane that is held by itself, against the slave face that is
+    /// nearest: how far the lines of the master on both sides of it are from the ends of the face.
+    pub fn edge_falls_away(
+        &self,
+        place: usize,
+        u: &[f64],
+        positions: &MasterPositions,
+    ) -> Option<f64> {
+        let point = &self.points[place];
+        let (of, Carrier::Node { position, .. }) = (self.parent(point.pair), &point.carrier) else {
+            return None;
+        };
+        let MasterSurface::Line { nodes, offset, itself: None, .. } = &self.masters[of] else {
+            return None;
+        };
+        let edge = nodes.iter().position(|(from, _)| from == position)?;
+        let stand = positions.nodes.get(*offset..offset + nodes.len())?;
+        let [a, b, c] = *stand.get(edge.checked_sub(1)?..edge + 2)? else { return None };
+        let own = self.points.iter().filter(|point| point.pair == of && point.is_node());
+        let faces =
+            own.flat_map(|point| &point.faces).map(|&face| self.slave_faces[face].places(u));
+        let beside = |face: &Vec<[f64; 3]>| size(sub(mean(face.iter().copied()), b));
+        let face = faces.min_by(|a, b| beside(a).total_cmp(&beside(b)))?;
+        let half = sub(face[1], face[0]).map(|own| 0.5 * own);
+        let falls = [1.0, -1.0].map(|side| {
+            let at = std::array::from_fn(|axis| b[axis] + side * half[axis]);
+            let depth = depth_behind([a, b], at).min(depth_behind([b, c], at));
+            (-depth).clamp(0.0, 2.0 * size(half))
+        });
+        Some(falls[0].min(falls[1]))
+    }
+
+    /// The faces about a slave node.
+    fn faces_about(&self, place: usize, u: &[f64]) -> Vec<Face> {
+        let point = &self.points[place];
+        if !point.faces.is_empty() {
+            let placed = |&face: &usize| {
+                let own = &self.slave_faces[face];
+                Face::new(Some(face), (own.places(u), own.stands(u).0), 1.0 / own.parts)
+            };
+            return point.faces.iter().map(placed).collect();
+        }
+        let edges = self.edges[point.pair].iter().filter(|ends| ends.contains(&place));
+        let placed = |ends: &[usize; 2]| {
+            let [a, b] = ends.map(|end| self.place(&self.points[end], 0.0, u));
+            Face::new(None, (vec![a, b], [b[1] - a[1], a[0] - b[0], 0.0]), 1.0)
+        };
+        edges.map(placed).collect()
+    }
+
+    /// How far the smoothed corner that a slave node faces lies off the corner of the line that it smooths, at the
+    /// node [L]; zero elsewhere.
+    pub fn smoothed_away(&self, place: usize, u: &[f64], positions: &MasterPositions) -> f64 {
+        let point = &self.points[place];
+        let master = &self.masters[point.pair];
+        let MasterSurface::Line { chain, nodes, offset, itself: None, .. } = master else {
+            return 0.0;
+        };
+        let at = self.place(point, 0.0, u);
+        let piece = master.piece((positions, point.pair), (at, 0, &Outlook::EVERYWHERE));
+        let stand = positions.nodes.get(*offset..offset + nodes.len());
+        let (Some(piece), Some(stand)) = (piece, stand) else { return 0.0 };
+        let corner = stand.get(piece.nodes());
+        let (PieceKind::Corner, Some([a, b, c])) = (piece.kind, corner) else { return 0.0 };
+        let Some([smoothed, _]) = chain_overclosure(chain, &piece, stand, at) else { return 0.0 };
+        let (before, behind) = (depth_behind([*a, *b], at), depth_behind([*b, *c], at));
+        let cut = if before.abs() < behind.abs() { before } else { behind };
+        (cut - smoothed).abs()
+    }
+
+    /// How deep a place stands in the master that a slave node has [L]; `None` where it faces nothing.
+    pub(super) fn depth_at(
+        &self,
+        point: &SlavePoint,
+        at: [f64; 3],
+        (u, positions): (&[f64], &MasterPositions),
+    ) -> Option<f64> {
+        let master = &self.masters[point.pair];
+        match master {
+            MasterSurface::Body { surface, .. } => surface.overclosure(&master.placed_body(u), at),
+            MasterSurface::Faces { itself: None, .. } => self.depth_in_faces(point, at, positions),
+            MasterSurface::Line { chain, nodes, offset, itself: None, .. } => {
+                let own = (positions, point.pair);
+                let piece = master.piece(own, (at, 0, &Outlook::EVERYWHERE))?;
+                let stand = positions.nodes.get(*offset..offset + nodes.len())?;
+                chain_overclosure(chain, &piece, stand, at).map(|[depth, _]| depth)
+            }
+            _ => None,
+        }
+    }
+}
+
+/// How deep a place of the plane stands behind a line whose material is on the right [L].
+fn depth_behind([from, to]: [[f64; 3]; 2], at: [f64; 3]) -> f64 {
+    let (along, way) = (sub(to, from), sub(at, from));
+    (along[1] * way[0] - along[0] * way[1]) / along[0].hypot(along[1])
+}
+
+/// The mean of places or directions.
+fn mean(all: impl Iterator<Item = [f64; 3]> + Clone) -> [f64; 3] {
+    let count = all.clone().count().max(1) as f64;
+    std::array::from_fn(|axis| all.clone().map(|own| own[axis]).sum::<f64>() / count)
+}
+
+/// Places all over a face.
+pub(super) fn places(corners: &[[f64; 3]]) -> Vec<[f64; 3]> {
+    let blend = |shares: &[f64]| {
+        let all = || corners.iter().zip(shares);
+        std::array::from_fn(|axis| all().map(|(at, share)| share * at[axis]).sum())
+    };
+    let count = PARTS[usize::from(corners.len() > 2)];
+    let part = |k: usize| k as f64 / count as f64;
+    let along = || (0..=count).map(part);
+    match corners.len() {
+        2 => along().map(|t| blend(&[1.0 - t, t])).collect(),
+        3 => (0..=count)
+            .flat_map(|i| (0..=count - i).map(move |j| [part(i), part(j)]))
+            .map(|[s, t]| blend(&[1.0 - s - t, s, t]))
+            .collect(),
+        _ => along()
+            .flat_map(|s| along().map(move |t| [s, t]))
+            .map(|[s, t]| blend(&[(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t]))
+            .collect(),
+    }
+}
