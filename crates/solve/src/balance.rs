@@ -61,7 +61,6 @@ pub fn pair_rows(
         }
         sums[pair].add(plan, state, now, &kinematics);
     }
-    falls_away(plan, state, work, rows);
     for own in plan.contact.unseen(&work.evaluation.kinematics) {
         (rows[own.pair].unseen_depth, rows[own.pair].unseen) = (own.depth, Some(own.node));
     }
@@ -72,7 +71,7 @@ pub fn pair_rows(
 }
 
 /// Means of how far masters fall away, and are smoothed away, at the closed nodes of pairs.
-fn falls_away(plan: &Problem<'_>, state: &State, work: &Scratch, rows: &mut [PairRow]) {
+pub fn take_falls(plan: &Problem<'_>, state: &State, work: &Scratch, rows: &mut [PairRow]) {
     let (mut forces, mut known) = (vec![0.0; rows.len()], Nearest::default());
     let points = plan.contact.points.iter().zip(&state.points).enumerate();
     let closed = points.filter(|(_, (point, now))| now.closed && point.is_node());

@@ -2,7 +2,7 @@
 
 use super::analysis::{Analysis, Left};
 use super::shown::{Numbers, Rows, frame};
-use crate::balance::{pair_rows, take_approaches};
+use crate::balance::{pair_rows, take_approaches, take_falls};
 use crate::commit::commit;
 use crate::diagnose;
 use crate::increments::Decision;
@@ -46,6 +46,7 @@ impl Analysis<'_> {
         section_rows(plan, self.committed, work, &mut self.rows.sections);
         joined_forces(plan, self.committed, work, &mut self.rows.joined);
         let jumped = self.balance_books(plan, target, work);
+        take_falls(plan, self.committed, work, &mut self.rows.pairs);
         take_approaches(self.committed, &mut self.rows.pairs);
         let frame = frame(plan, self.committed, &numbers, self.rows);
         // A wish to stop does not keep back what belongs to the increment.
