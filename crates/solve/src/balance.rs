@@ -70,29 +70,52 @@ pub fn pair_rows(
     }
 }
 
-/// Means of how far masters fall away, and are smoothed away, at the closed nodes of pairs.
-pub fn take_falls(plan: &Problem<'_>, state: &State, work: &Scratch, rows: &mut [PairRow]) {
-    let (mut forces, mut known) = (vec![0.0; rows.len()], Nearest::default());
+/// A pair where it has carried most so far.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Heaviest {
+    /// Its force [F].
+    force: f64,
+    /// How far its master falls away, and is smoothed away, there [L].
+    falls: [f64; 2],
+}
+
+/// Takes how far masters fall away, and are smoothed away, where pairs have carried most so far: measured
+/// where a pair carries more than before.
+pub fn take_falls(
+    plan: &Problem<'_>,
+    state: &State,
+    work: &Scratch,
+    (rows, heaviest): (&mut [PairRow], &mut Vec<Heaviest>),
+) {
+    heaviest.resize(rows.len(), Heaviest::default());
+    for (pair, (row, heaviest)) in rows.iter_mut().zip(heaviest).enumerate() {
+        let force = size(row.force);
+        if force > heaviest.force {
+            *heaviest = Heaviest { force, falls: falls(plan, state, work, pair) };
+        }
+        [row.falls_away, row.smoothed_away] = heaviest.falls;
+    }
+}
+
+/// Means of how far a master falls away, and is smoothed away, at the closed nodes of a pair [L].
+fn falls(plan: &Problem<'_>, state: &State, work: &Scratch, pair: usize) -> [f64; 2] {
+    let (mut sums, mut whole, mut known) = ([0.0; 2], 0.0, Nearest::default());
+    let (u, positions) = (&state.displacement[..], work.evaluation.positions());
     let points = plan.contact.points.iter().zip(&state.points).enumerate();
-    let closed = points.filter(|(_, (point, now))| now.closed && point.is_node());
-    for (place, (point, now)) in closed {
-        let (u, positions) = (&state.displacement[..], work.evaluation.positions());
+    let of_pair = points.filter(|(_, (point, _))| plan.contact.parent(point.pair) == pair);
+    for (place, (point, now)) in of_pair.filter(|(_, (point, now))| now.closed && point.is_node()) {
         let falls = match (plan.contact.is_edge(place), plan.contact.is_reversed(point.pair)) {
             (false, _) => plan.contact.falls_away(place, (u, positions), &mut known),
             (true, true) => plan.contact.edge_falls_away(place, u, positions),
             (true, false) => None,
         };
         let Some(falls) = falls else { continue };
-        let (pair, force) = (plan.contact.parent(point.pair), now.area * now.pressure);
-        rows[pair].falls_away += force * falls;
-        rows[pair].smoothed_away += force * plan.contact.smoothed_away(place, u, positions);
-        forces[pair] += force;
+        let force = now.area * now.pressure;
+        sums[0] += force * falls;
+        sums[1] += force * plan.contact.smoothed_away(place, u, positions);
+        whole += force;
     }
-    for (row, force) in rows.iter_mut().zip(forces) {
-        let part = if force > 0.0 { 1.0 / force } else { 0.0 };
-        row.falls_away *= part;
-        row.smoothed_away *= part;
-    }
+    sums.map(|sum| if whole > 0.0 { sum / whole } else { 0.0 })
 }
 
 /// Takes the ways by which parts have come together, from the energies of a state.

@@ -46,7 +46,8 @@ impl Analysis<'_> {
         section_rows(plan, self.committed, work, &mut self.rows.sections);
         joined_forces(plan, self.committed, work, &mut self.rows.joined);
         let jumped = self.balance_books(plan, target, work);
-        take_falls(plan, self.committed, work, &mut self.rows.pairs);
+        let Rows { pairs, heaviest, .. } = &mut *self.rows;
+        take_falls(plan, self.committed, work, (pairs, heaviest));
         take_approaches(self.committed, &mut self.rows.pairs);
         let frame = frame(plan, self.committed, &numbers, self.rows);
         // A wish to stop does not keep back what belongs to the increment.
