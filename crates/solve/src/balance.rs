@@ -5,7 +5,7 @@
 //!   master  -f  <---      and so for moments about any place
 //! ```
 
-use crate::contact::{Nearest, PointRows};
+use crate::contact::PointRows;
 use crate::newton::Scratch;
 use crate::observe::results::{ContactRow, PairRow, Status};
 use crate::problem::Problem;
@@ -67,63 +67,6 @@ pub fn pair_rows(
     for (row, sum) in rows.iter_mut().zip(sums) {
         row.take_means();
         (row.force_imbalance, row.moment_imbalance) = sum.imbalance();
-    }
-}
-
-/// A pair where it has carried most so far.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Heaviest {
-    /// Its force [F].
-    force: f64,
-    /// How far its master falls away, and is smoothed away, there [L].
-    falls: [f64; 2],
-}
-
-/// Takes how far masters fall away, and are smoothed away, where pairs have carried most so far: measured
-/// where a pair carries more than before.
-pub fn take_falls(
-    plan: &Problem<'_>,
-    state: &State,
-    work: &Scratch,
-    (rows, heaviest): (&mut [PairRow], &mut Vec<Heaviest>),
-) {
-    heaviest.resize(rows.len(), Heaviest::default());
-    for (pair, (row, heaviest)) in rows.iter_mut().zip(heaviest).enumerate() {
-        let force = size(row.force);
-        if force > heaviest.force {
-            *heaviest = Heaviest { force, falls: falls(plan, state, work, pair) };
-        }
-        [row.falls_away, row.smoothed_away] = heaviest.falls;
-    }
-}
-
-/// Means of how far a master falls away, and is smoothed away, at the closed nodes of a pair [L].
-fn falls(plan: &Problem<'_>, state: &State, work: &Scratch, pair: usize) -> [f64; 2] {
-    let (mut sums, mut whole, mut known) = ([0.0; 2], 0.0, Nearest::default());
-    let (u, positions) = (&state.displacement[..], work.evaluation.positions());
-    let points = plan.contact.points.iter().zip(&state.points).enumerate();
-    let of_pair = points.filter(|(_, (point, _))| plan.contact.parent(point.pair) == pair);
-    for (place, (point, now)) in of_pair.filter(|(_, (point, now))| now.closed && point.is_node()) {
-        let falls = match (plan.contact.is_edge(place), plan.contact.is_reversed(point.pair)) {
-            (false, _) => plan.contact.falls_away(place, (u, positions), &mut known),
-            (true, true) => plan.contact.edge_falls_away(place, u, positions),
-            (true, false) => None,
-        };
-        let Some(falls) = falls else { continue };
-        let force = now.area * now.pressure;
-        sums[0] += force * falls;
-        sums[1] += force * plan.contact.smoothed_away(place, u, positions);
-        whole += force;
-    }
-    sums.map(|sum| if whole > 0.0 { sum / whole } else { 0.0 })
-}
-
-/// Takes the ways by which parts have come together, from the energies of a state.
-pub fn take_approaches(state: &State, rows: &mut [PairRow]) {
-    for row in rows {
-        let force = size(row.force);
-        row.approach =
-            if force > 0.0 { 2.0 * state.energy.of_the_model().max(0.0) / force } else { 0.0 };
     }
 }
 
@@ -253,7 +196,7 @@ fn forces_at(
 }
 
 /// Length of a vector.
-fn size(vector: [f64; 3]) -> f64 {
+pub fn size(vector: [f64; 3]) -> f64 {
     vector[0].hypot(vector[1]).hypot(vector[2])
 }
 

@@ -57,7 +57,7 @@ pub use candidates::{Candidates, Reached, coupled_parts};
 pub use cliques::Cliques;
 pub use crossing::{Missed, Sweep, SweepScratch};
 pub use edges::EdgeInside;
-pub use falls::Nearest;
+pub use falls::FallsRoom;
 pub use idle::Look;
 pub use kinematics::{ContactKinematics, GeometryScratch, PointKinematics, PointRows};
 pub use laws::mean_length;

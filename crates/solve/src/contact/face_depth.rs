@@ -8,19 +8,28 @@
 //! ```
 
 use super::edges::EdgeInside;
-use super::falls::places;
+use super::falls::{FallsRoom, places};
 use super::master::MasterSurface;
 use super::pairs::Contact;
 use super::positions::MasterPositions;
 use crate::state::PointState;
-use slideline_mech::vector::size;
-use slideline_model::NodeIndex;
-use std::collections::HashSet;
+use slideline_mech::contact::pair::FaceRoom;
+use slideline_mech::vector::{size, sub};
 
 /// Part of the size of a face by which its master may stand in it between its nodes unsaid [1].
 const DEEP: f64 = 0.1;
 /// The same by which a place is moved to see whether the master is met from before [1].
 const ASIDE: f64 = 0.01;
+
+/// How deep the master of a slave node stands in a face beyond what the nodes of the face show.
+#[derive(Clone, Copy)]
+struct Inside {
+    place: usize,
+    face: usize,
+    depth: f64,
+    /// The same in sizes of the face [1].
+    share: f64,
+}
 
 impl Contact {
     /// The deepest analytical surface in a face between slave nodes none of which is closed.
@@ -28,26 +37,38 @@ impl Contact {
         &self,
         (u, points): (&[f64], &[PointState]),
         positions: &MasterPositions,
+        room: &mut FallsRoom,
     ) -> Option<EdgeInside> {
-        let held = self.points.iter().zip(points).filter(|(_, state)| state.closed);
-        let held: HashSet<NodeIndex> = held.map(|(point, _)| point.node).collect();
-        let own = (0..self.points.len()).filter(|&place| {
-            let point = &self.points[place];
-            point.is_node() && point.pair < self.own_pairs() && self.is_analytical(point.pair)
-        });
-        let found = own.flat_map(|place| {
-            let faces = self.points[place].faces.iter();
-            // each face once, by its first node
-            let first = faces.filter(|&&face| {
+        if !(0..self.own_pairs()).any(|pair| self.is_analytical(pair)) {
+            return None;
+        }
+        let FallsRoom { held, faces: rest, .. } = room;
+        held.clear();
+        held.resize(self.points.iter().map(|point| point.node + 1).max().unwrap_or(0), false);
+        for (point, _) in self.points.iter().zip(points).filter(|(_, state)| state.closed) {
+            held[point.node] = true;
+        }
+        let is_held = |node: usize| held.get(node).is_some_and(|&held| held);
+        let mut found: Option<Inside> = None;
+        for (place, point) in self.points.iter().enumerate() {
+            let is_own = point.is_node() && point.pair < self.own_pairs();
+            if !is_own || is_held(point.node) || !self.is_analytical(point.pair) {
+                continue;
+            }
+            for &face in &point.faces {
+                // each face once, by its first node
                 let mut nodes = self.slave_faces[face].corners.iter().map(|(node, ..)| *node);
-                nodes.next() == Some(self.points[place].node)
-                    && !held.contains(&self.points[place].node)
-                    && !nodes.any(|node| held.contains(&node))
-            });
-            let first: Vec<usize> = first.copied().collect();
-            first.into_iter().filter_map(move |face| self.in_face(place, face, u, positions))
-        });
-        found.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, inside)| inside)
+                if nodes.next() != Some(point.node) || nodes.any(is_held) {
+                    continue;
+                }
+                let inside = self.in_face((place, face), u, positions, rest);
+                let deeper = |own: &Inside| found.is_none_or(|other| own.share >= other.share);
+                found = inside.filter(deeper).or(found);
+            }
+        }
+        let Inside { place, face, depth, .. } = found?;
+        let face = self.slave_faces[face].corners.iter().map(|(node, ..)| *node).collect();
+        Some(EdgeInside { pair: self.points[place].pair, edge: None, face, depth })
     }
 
     fn is_analytical(&self, pair: usize) -> bool {
@@ -58,32 +79,43 @@ impl Contact {
         }
     }
 
-    /// How deep the master of a slave node stands in a face beyond what the nodes of the face show, in sizes of the
-    /// face; `None` where that is little.
+    /// How deep the master of a slave node stands in a face that begins at the node; `None` where that is little.
     fn in_face(
         &self,
-        place: usize,
-        face: usize,
+        (place, face): (usize, usize),
         u: &[f64],
         positions: &MasterPositions,
-    ) -> Option<(f64, EdgeInside)> {
+        room: &mut FaceRoom,
+    ) -> Option<Inside> {
         let (point, own) = (&self.points[place], &self.slave_faces[face]);
-        let depth = |at| self.depth_at(point, at, (u, positions));
+        let mut depth = |at| self.depth_at(point, at, (u, positions), room);
         let (corners, (normal, long)) = (own.places(u), own.stands(u));
-        let near = corners.iter().any(|&at| depth(at).is_some_and(|own| own.abs() <= long));
-        if !near || long <= 0.0 {
+        let first = depth(corners[0]);
+        // no gap changes by more than the way: a master that is far from one corner is far from all
+        let wide = corners.iter().map(|&at| size(sub(at, corners[0]))).fold(long, f64::max);
+        if long <= 0.0 || first.is_some_and(|own| own.abs() > long + wide) {
             return None;
         }
-        let shown = corners.iter().filter_map(|&at| depth(at)).fold(0.0, f64::max);
-        let step = ASIDE * long / size(normal);
-        let deepest = places(&corners).into_iter().filter_map(|at| {
-            let own = depth(at)?;
-            let ahead = depth(std::array::from_fn(|axis| at[axis] + step * normal[axis]))?;
-            (ahead > own).then_some(own - shown)
-        });
-        let depth = deepest.fold(0.0, f64::max);
-        let face = own.corners.iter().map(|(node, ..)| *node).collect();
-        let inside = EdgeInside { pair: point.pair, edge: None, face, depth };
-        (DEEP * long..=long).contains(&depth).then_some((depth / long, inside))
+        let (mut shown, mut is_near) = (0.0, false);
+        for own in corners.iter().filter_map(|&at| depth(at)) {
+            (shown, is_near) = (own.max(shown), is_near || own.abs() <= long);
+        }
+        if !is_near {
+            return None;
+        }
+        let (step, mut deepest) = (ASIDE * long / size(normal), 0.0);
+        for at in places(&corners) {
+            let Some(own) = depth(at) else { continue };
+            let inside = own - shown;
+            if inside < DEEP * long || inside <= deepest {
+                continue;
+            }
+            let ahead = depth(std::array::from_fn(|axis| at[axis] + step * normal[axis]));
+            if ahead.is_some_and(|ahead| ahead > own) {
+                deepest = inside;
+            }
+        }
+        let inside = Inside { place, face, depth: deepest, share: deepest / long };
+        (DEEP * long..=long).contains(&deepest).then_some(inside)
     }
 }

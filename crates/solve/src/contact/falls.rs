@@ -12,11 +12,11 @@
 use super::master::MasterSurface;
 use super::pairs::{Carrier, Contact, SlavePoint};
 use super::positions::MasterPositions;
-use slideline_mech::contact::pair::chain_overclosure;
+use super::slave_face::Corners;
+use slideline_mech::contact::pair::{FaceRoom, chain_overclosure};
 use slideline_mech::contact::search::chain::PieceKind;
 use slideline_mech::contact::search::outlook::Outlook;
 use slideline_mech::vector::{dot, size, sub};
-use std::collections::HashMap;
 
 /// Parts of a line, and of a face in each direction, whose ends are looked at.
 const PARTS: [usize; 2] = [8, 4];
@@ -24,18 +24,25 @@ const PARTS: [usize; 2] = [8, 4];
 /// Sizes of a face within which a node is met as near as any place of its faces [1].
 const AT_NODE: f64 = 1e-6;
 
-/// Where the master stands nearest to faces of pairs, as far as these were asked: gap and place [L].
+/// Room in which masters are held against faces of the slave, used again.
 #[derive(Debug, Default)]
-pub struct Nearest(HashMap<(usize, usize), Option<GapAt>>);
+pub struct FallsRoom {
+    /// Where the master of the pair stands nearest to a slave face, where it was asked.
+    nearest: Vec<Option<Option<GapAt>>>,
+    /// Which nodes are held by closed points.
+    pub(super) held: Vec<bool>,
+    pub(super) faces: FaceRoom,
+}
 
 /// A gap and where it is [L].
 type GapAt = (f64, [f64; 3]);
 
 /// A face where it stands.
+#[derive(Clone, Copy, Debug)]
 struct Face {
     /// Its place among the slave faces; none of an element of a beam.
     number: Option<usize>,
-    corners: Vec<[f64; 3]>,
+    corners: Corners,
     /// Part of it that reaches from node to node [1].
     part: f64,
     /// Its unit normal [1].
@@ -43,7 +50,7 @@ struct Face {
 }
 
 impl Face {
-    fn new(number: Option<usize>, (corners, normal): (Vec<[f64; 3]>, [f64; 3]), part: f64) -> Self {
+    fn new(number: Option<usize>, (corners, normal): (Corners, [f64; 3]), part: f64) -> Self {
         let long = size(normal);
         Self { number, corners, part, normal: normal.map(|own| own / long) }
     }
@@ -65,43 +72,73 @@ impl Face {
     fn long(&self) -> f64 {
         2.0 * self.ways(None).map(size).fold(0.0, f64::max)
     }
+
+    /// The place of it where a gap is least.
+    fn nearest(&self, gap: &mut impl FnMut([f64; 3]) -> Option<f64>) -> Option<GapAt> {
+        let gaps = places(&self.corners).filter_map(|at| Some((gap(at)?, at)));
+        gaps.min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    /// How far a master falls away from a place where its gap is known, within half of the face towards every
+    /// corner [L].
+    fn falls(
+        &self,
+        (least, met): GapAt,
+        level: Option<[f64; 3]>,
+        gap: &mut impl FnMut([f64; 3]) -> Option<f64>,
+    ) -> f64 {
+        let long = self.long();
+        let falls = self.ways(level).map(|way| {
+            let there = gap(std::array::from_fn(|axis| met[axis] + way[axis]));
+            there.map_or(long, |gap| (gap - least).clamp(0.0, long))
+        });
+        falls.fold(long, f64::min)
+    }
 }
 
 impl Contact {
+    /// Makes room for the faces of all pairs, and forgets what is known of another state.
+    pub fn make_room(&self, room: &mut FallsRoom) {
+        room.nearest.clear();
+        room.nearest.resize(self.slave_faces.len(), None);
+    }
+
     /// How far the master of a slave node falls away from where it is met within half a face about the node, towards
     /// every corner of the face [L]; zero where it does not on some side, `None` where nothing is known of faces.
     pub fn falls_away(
         &self,
         place: usize,
         (u, positions): (&[f64], &MasterPositions),
-        known: &mut Nearest,
+        room: &mut FallsRoom,
     ) -> Option<f64> {
         let point = &self.points[place];
-        let gap = |at| self.depth_at(point, at, (u, positions)).map(|depth| -depth);
-        let nearest = |face: &Face| {
-            let places = places(&face.corners).into_iter();
-            let gaps = places.filter_map(|at| Some((gap(at)?, at)));
-            gaps.min_by(|a, b| a.0.total_cmp(&b.0))
-        };
-        let faces = self.faces_about(place, u);
-        let found = faces.iter().filter_map(|face| match face.number {
-            Some(number) => {
-                let own = known.0.entry((point.pair, number)).or_insert_with(|| nearest(face));
-                Some(((*own)?, face))
+        let FallsRoom { nearest: known, faces: rest, .. } = room;
+        let mut gap = |at| self.depth_at(point, at, (u, positions), rest).map(|depth: f64| -depth);
+        let mut found: Option<(GapAt, Face)> = None;
+        for face in self.faces_about(place, u) {
+            let met = match face.number.and_then(|number| known.get_mut(number)) {
+                Some(known) => *known.get_or_insert_with(|| face.nearest(&mut gap)),
+                None => face.nearest(&mut gap),
+            };
+            let Some(met) = met else { continue };
+            if found.is_none_or(|((least, _), _)| met.0 < least) {
+                found = Some((met, face));
             }
-            None => Some((nearest(face)?, face)),
-        });
-        let ((least, met), face) = found.min_by(|a, b| a.0.0.total_cmp(&b.0.0))?;
-        let (long, own) = (face.long(), self.place(point, 0.0, u));
+        }
+        let (met, face) = found?;
+        let own = self.place(point, 0.0, u);
+        let near = met.0 + AT_NODE * face.long();
+        let Some(at_node) = gap(own).filter(|gap| *gap <= near) else {
+            return Some(face.falls(met, None, &mut gap));
+        };
         // at the node itself the faces about it may lie along both flanks
-        let is_node = gap(own).is_some_and(|gap| gap <= least + AT_NODE * long);
-        let level = is_node.then(|| mean(faces.iter().map(|own| own.normal)));
-        let met = if is_node { own } else { met };
-        let falls = face.ways(level).map(|way| {
-            let there = gap(std::array::from_fn(|axis| met[axis] + way[axis]));
-            there.map_or(long, |gap| (gap - least).clamp(0.0, long))
-        });
-        falls.reduce(f64::min)
+        let (mut sum, mut count) = (0.0, 0.0);
+        let level = mean(self.faces_about(place, u).map(|own| own.normal));
+        for face in self.faces_about(place, u) {
+            sum += face.falls((at_node, own), Some(level), &mut gap);
+            count += 1.0;
+        }
+        Some(sum / count)
     }
 
     /// The same of a sharp edge of a master in the plane that is held by itself, against the slave face that is
@@ -123,11 +160,16 @@ impl Contact {
         let stand = positions.nodes.get(*offset..offset + nodes.len())?;
         let [a, b, c] = *stand.get(edge.checked_sub(1)?..edge + 2)? else { return None };
         let own = self.points.iter().filter(|point| point.pair == of && point.is_node());
-        let faces =
-            own.flat_map(|point| &point.faces).map(|&face| self.slave_faces[face].places(u));
-        let beside = |face: &Vec<[f64; 3]>| size(sub(mean(face.iter().copied()), b));
-        let face = faces.min_by(|a, b| beside(a).total_cmp(&beside(b)))?;
-        let half = sub(face[1], face[0]).map(|own| 0.5 * own);
+        let faces = own.flat_map(|point| &point.faces).map(|&face| {
+            let ends = self.slave_faces[face].places(u);
+            let half = sub(ends[1], ends[0]).map(|own| 0.5 * own);
+            (size(sub(mean(ends.iter().copied()), b)), half)
+        });
+        // of two that are as near the shorter one
+        let order = |a: &(f64, [f64; 3]), b: &(f64, [f64; 3])| {
+            a.0.total_cmp(&b.0).then(size(a.1).total_cmp(&size(b.1)))
+        };
+        let (_, half) = faces.min_by(order)?;
         let falls = [1.0, -1.0].map(|side| {
             let at = std::array::from_fn(|axis| b[axis] + side * half[axis]);
             let depth = depth_behind([a, b], at).min(depth_behind([b, c], at));
@@ -137,21 +179,24 @@ impl Contact {
     }
 
     /// The faces about a slave node.
-    fn faces_about(&self, place: usize, u: &[f64]) -> Vec<Face> {
+    fn faces_about<'a>(
+        &'a self,
+        place: usize,
+        u: &'a [f64],
+    ) -> impl Iterator<Item = Face> + Clone + 'a {
         let point = &self.points[place];
-        if !point.faces.is_empty() {
-            let placed = |&face: &usize| {
-                let own = &self.slave_faces[face];
-                Face::new(Some(face), (own.places(u), own.stands(u).0), 1.0 / own.parts)
-            };
-            return point.faces.iter().map(placed).collect();
-        }
-        let edges = self.edges[point.pair].iter().filter(|ends| ends.contains(&place));
-        let placed = |ends: &[usize; 2]| {
+        let faces = point.faces.iter().map(move |&face| {
+            let own = &self.slave_faces[face];
+            Face::new(Some(face), (own.places(u), own.stands(u).0), 1.0 / own.parts)
+        });
+        let edges: &[[usize; 2]] =
+            if point.faces.is_empty() { &self.edges[point.pair] } else { &[] };
+        let about = edges.iter().filter(move |ends| ends.contains(&place));
+        faces.chain(about.map(move |ends| {
             let [a, b] = ends.map(|end| self.place(&self.points[end], 0.0, u));
-            Face::new(None, (vec![a, b], [b[1] - a[1], a[0] - b[0], 0.0]), 1.0)
-        };
-        edges.map(placed).collect()
+            let corners = Corners::of([a, b].into_iter());
+            Face::new(None, (corners, [b[1] - a[1], a[0] - b[0], 0.0]), 1.0)
+        }))
     }
 
     /// How far the smoothed corner that a slave node faces lies off the corner of the line that it smooths, at the
@@ -180,11 +225,14 @@ impl Contact {
         point: &SlavePoint,
         at: [f64; 3],
         (u, positions): (&[f64], &MasterPositions),
+        room: &mut FaceRoom,
     ) -> Option<f64> {
         let master = &self.masters[point.pair];
         match master {
             MasterSurface::Body { surface, .. } => surface.overclosure(&master.placed_body(u), at),
-            MasterSurface::Faces { itself: None, .. } => self.depth_in_faces(point, at, positions),
+            MasterSurface::Faces { itself: None, .. } => {
+                self.depth_in_faces(point, at, positions, room)
+            }
             MasterSurface::Line { chain, nodes, offset, itself: None, .. } => {
                 let own = (positions, point.pair);
                 let piece = master.piece(own, (at, 0, &Outlook::EVERYWHERE))?;
@@ -209,23 +257,19 @@ fn mean(all: impl Iterator<Item = [f64; 3]> + Clone) -> [f64; 3] {
 }
 
 /// Places all over a face.
-pub(super) fn places(corners: &[[f64; 3]]) -> Vec<[f64; 3]> {
-    let blend = |shares: &[f64]| {
+pub(super) fn places(corners: &[[f64; 3]]) -> impl Iterator<Item = [f64; 3]> + '_ {
+    let (is_line, is_triangle) = (corners.len() == 2, corners.len() == 3);
+    let count = PARTS[usize::from(!is_line)];
+    let across = if is_line { 0 } else { count };
+    let all = (0..=count).flat_map(move |i| (0..=across).map(move |j| [i, j]));
+    all.filter(move |[i, j]| !is_triangle || i + j <= count).map(move |parts| {
+        let [s, t] = parts.map(|part| part as f64 / count as f64);
+        let shares = match corners.len() {
+            2 => [1.0 - s, s, 0.0, 0.0],
+            3 => [1.0 - s - t, s, t, 0.0],
+            _ => [(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t],
+        };
         let all = || corners.iter().zip(shares);
         std::array::from_fn(|axis| all().map(|(at, share)| share * at[axis]).sum())
-    };
-    let count = PARTS[usize::from(corners.len() > 2)];
-    let part = |k: usize| k as f64 / count as f64;
-    let along = || (0..=count).map(part);
-    match corners.len() {
-        2 => along().map(|t| blend(&[1.0 - t, t])).collect(),
-        3 => (0..=count)
-            .flat_map(|i| (0..=count - i).map(move |j| [part(i), part(j)]))
-            .map(|[s, t]| blend(&[1.0 - s - t, s, t]))
-            .collect(),
-        _ => along()
-            .flat_map(|s| along().map(move |t| [s, t]))
-            .map(|[s, t]| blend(&[(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t]))
-            .collect(),
-    }
+    })
 }

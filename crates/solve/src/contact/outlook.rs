@@ -25,8 +25,10 @@ impl Contact {
             let faces = elements.map(|own| SlaveFace { corners: own.collect(), parts: 1.0 });
             self.slave_faces.extend(faces);
         }
-        let slaves: HashSet<NodeIndex> = self.slave_nodes[place].iter().copied().collect();
-        for face in &pair.faces {
+        let (faces, slaves) = (&pair.faces[..], &self.slave_nodes[place][..]);
+        let slaves: HashSet<NodeIndex> =
+            if faces.is_empty() { HashSet::new() } else { slaves.iter().copied().collect() };
+        for face in faces {
             let Some(cell) = face.cell() else { continue };
             let (corners, middles) = face.nodes.split_at(cell.faces.len());
             let parts = if middles.iter().any(|node| slaves.contains(node)) { 2.0 } else { 1.0 };

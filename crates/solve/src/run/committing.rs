@@ -2,9 +2,10 @@
 
 use super::analysis::{Analysis, Left};
 use super::shown::{Numbers, Rows, frame};
-use crate::balance::{pair_rows, take_approaches, take_falls};
+use crate::balance::pair_rows;
 use crate::commit::commit;
 use crate::diagnose;
+use crate::heaviest::take_approaches;
 use crate::increments::Decision;
 use crate::joined_forces::joined_forces;
 use crate::newton::{Outcome, Scratch};
@@ -47,7 +48,7 @@ impl Analysis<'_> {
         joined_forces(plan, self.committed, work, &mut self.rows.joined);
         let jumped = self.balance_books(plan, target, work);
         let Rows { pairs, heaviest, .. } = &mut *self.rows;
-        take_falls(plan, self.committed, work, (pairs, heaviest));
+        heaviest.take(plan, (self.committed, work), last, pairs);
         take_approaches(self.committed, &mut self.rows.pairs);
         let frame = frame(plan, self.committed, &numbers, self.rows);
         // A wish to stop does not keep back what belongs to the increment.

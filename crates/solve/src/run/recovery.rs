@@ -119,7 +119,8 @@ impl Analysis<'_> {
         let u = &committed.displacement;
         let found = plan.contact.edge_inside(u, &committed.points);
         let found = found.or_else(|| {
-            plan.contact.surface_inside((u, &committed.points), work.evaluation.positions())
+            let (positions, room) = (work.evaluation.positions(), &mut self.rows.heaviest.room);
+            plan.contact.surface_inside((u, &committed.points), positions, room)
         });
         let Some(found) = found else { return Ok(()) };
         self.edges_are_judged = true;
