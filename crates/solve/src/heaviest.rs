@@ -10,7 +10,7 @@
 //! docs/theory.md section 5.20
 
 use crate::balance::size;
-use crate::contact::FallsRoom;
+use crate::contact::{FallsRoom, MissedAt};
 use crate::newton::Scratch;
 use crate::observe::results::PairRow;
 use crate::problem::Problem;
@@ -29,6 +29,9 @@ pub struct Heaviest {
     pub falls_away: f64,
     /// How far its master is smoothed away there [L].
     pub smoothed_away: f64,
+    /// Sums over its nodes, while it is measured.
+    #[serde(skip)]
+    pub sums: Option<Sums>,
 }
 
 impl Heaviest {
@@ -48,15 +51,13 @@ impl Heaviest {
 pub struct Measured {
     /// Each where it carried most so far; part of what a run goes on from.
     pub pairs: Vec<Heaviest>,
-    /// Sums over nodes of each, where it is measured.
-    sums: Vec<Option<Sums>>,
     /// Room in which masters are held against faces.
     pub room: FallsRoom,
 }
 
 /// Sums over closed nodes.
-#[derive(Clone, Copy, Debug, Default)]
-struct Sums {
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Sums {
     /// Forces [F].
     force: f64,
     /// Forces by the way by which the master falls away [F L].
@@ -84,21 +85,21 @@ impl Measured {
             self.pairs.resize(rows.len(), Heaviest::default());
             plan.contact.make_room(&mut self.room);
         }
-        self.sums.clear();
-        self.sums.extend(rows.iter().zip(&self.pairs).map(|(row, heaviest)| {
-            heaviest.is_passed(size(row.force), is_last).then(Sums::default)
-        }));
-        if self.sums.iter().any(Option::is_some) {
+        let mut is_any = false;
+        for (row, heaviest) in rows.iter().zip(&mut self.pairs) {
+            let is_passed = heaviest.is_passed(size(row.force), is_last);
+            heaviest.sums = is_passed.then(Sums::default);
+            is_any |= is_passed;
+        }
+        if is_any {
             self.add(plan, state, work);
         }
-        for ((row, heaviest), sums) in rows.iter_mut().zip(&mut self.pairs).zip(&self.sums) {
-            if let Some(sums) = sums {
+        for (row, heaviest) in rows.iter_mut().zip(&mut self.pairs) {
+            if let Some(sums) = heaviest.sums.take() {
                 let part = if sums.force > 0.0 { 1.0 / sums.force } else { 0.0 };
-                *heaviest = Heaviest {
-                    force: size(row.force),
-                    falls_away: part * sums.falls,
-                    smoothed_away: part * sums.smoothed,
-                };
+                heaviest.force = size(row.force);
+                heaviest.falls_away = part * sums.falls;
+                heaviest.smoothed_away = part * sums.smoothed;
             }
             (row.falls_away, row.smoothed_away) = (heaviest.falls_away, heaviest.smoothed_away);
         }
@@ -106,25 +107,25 @@ impl Measured {
 
     /// Adds the closed nodes of all pairs that are measured.
     fn add(&mut self, plan: &Problem<'_>, state: &State, work: &Scratch) {
-        let Self { sums, room, .. } = self;
+        let Self { pairs, room } = self;
         let (contact, u) = (plan.contact, &state.displacement[..]);
         let positions = work.evaluation.positions();
         contact.make_room(room);
         let points = contact.points.iter().zip(&state.points).enumerate();
         for (place, (point, now)) in points.filter(|(_, (_, now))| now.closed) {
             let is_node = point.is_node();
-            let own = sums.get_mut(contact.parent(point.pair)).and_then(Option::as_mut);
-            let Some(own) = own.filter(|_| is_node) else { continue };
-            let falls = match (contact.is_edge(place), contact.is_reversed(point.pair)) {
-                (false, _) => contact.falls_away(place, (u, positions), room),
+            let of = pairs.get_mut(contact.parent(point.pair)).filter(|_| is_node);
+            let Some(own) = of.and_then(|pair| pair.sums.as_mut()) else { continue };
+            let missed = match (contact.is_edge(place), contact.is_reversed(point.pair)) {
+                (false, _) => contact.missed_at(place, (u, positions), room),
                 (true, true) => contact.edge_falls_away(place, u, positions),
                 (true, false) => None,
             };
-            let Some(falls) = falls else { continue };
+            let Some(MissedAt { falls_away, smoothed_away }) = missed else { continue };
             let force = now.area * now.pressure;
             own.force += force;
-            own.falls += force * falls;
-            own.smoothed += force * contact.smoothed_away(place, u, positions);
+            own.falls += force * falls_away;
+            own.smoothed += force * smoothed_away;
         }
     }
 }

@@ -10,6 +10,7 @@
 //! docs/theory.md section 5.20
 
 use super::master::MasterSurface;
+use super::near_line::NearLine;
 use super::pairs::{Carrier, Contact, SlavePoint};
 use super::positions::MasterPositions;
 use super::slave_face::Corners;
@@ -32,6 +33,15 @@ pub struct FallsRoom {
     /// Which nodes are held by closed points.
     pub(super) held: Vec<bool>,
     pub(super) faces: FaceRoom,
+}
+
+/// What a slave node misses of its master.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct MissedAt {
+    /// How far the master falls away within a face about the node [L].
+    pub falls_away: f64,
+    /// How far the smoothed corner that it faces lies off the corner of the line that it smooths [L]; zero elsewhere.
+    pub smoothed_away: f64,
 }
 
 /// A gap and where it is [L].
@@ -103,22 +113,47 @@ impl Contact {
         room.nearest.resize(self.slave_faces.len(), None);
     }
 
-    /// How far the master of a slave node falls away from where it is met within half a face about the node, towards
-    /// every corner of the face [L]; zero where it does not on some side, `None` where nothing is known of faces.
-    pub fn falls_away(
+    /// What a slave node misses of its master; `None` where nothing is known of faces.
+    pub fn missed_at(
         &self,
         place: usize,
         (u, positions): (&[f64], &MasterPositions),
         room: &mut FallsRoom,
-    ) -> Option<f64> {
+    ) -> Option<MissedAt> {
         let point = &self.points[place];
+        let (master, own) = (&self.masters[point.pair], self.place(point, 0.0, u));
         let FallsRoom { nearest: known, faces: rest, .. } = room;
-        let mut gap = |at| self.depth_at(point, at, (u, positions), rest).map(|depth: f64| -depth);
+        let MasterSurface::Line { chain, nodes, offset, itself: None, .. } = master else {
+            let mut gap =
+                |at| self.depth_at(point, at, (u, positions), rest).map(|depth: f64| -depth);
+            let falls_away = self.falls_away((place, own), u, known, &mut gap)?;
+            return Some(MissedAt { falls_away, smoothed_away: 0.0 });
+        };
+        let stand = positions.nodes.get(*offset..offset + nodes.len())?;
+        let piece = master.piece((positions, point.pair), (own, 0, &Outlook::EVERYWHERE))?;
+        let [depth, _] = chain_overclosure(chain, &piece, stand, own)?;
+        let long = self.faces_about(place, u).map(|face| face.long()).fold(0.0, f64::max);
+        let line = NearLine::about(master, (&piece, stand), 2.0 * long + depth.abs())?;
+        let mut gap = |at| line.depth(at).map(|depth| -depth);
+        let falls_away = self.falls_away((place, own), u, known, &mut gap)?;
+        let cut = if piece.kind == PieceKind::Corner { line.depth(own) } else { None };
+        Some(MissedAt { falls_away, smoothed_away: cut.map_or(0.0, |cut| (cut - depth).abs()) })
+    }
+
+    /// How far the master of a slave node falls away from where it is met within half a face about the node, towards
+    /// every corner of the face [L]; zero where it does not on some side.
+    fn falls_away(
+        &self,
+        (place, own): (usize, [f64; 3]),
+        u: &[f64],
+        known: &mut [Option<Option<GapAt>>],
+        gap: &mut impl FnMut([f64; 3]) -> Option<f64>,
+    ) -> Option<f64> {
         let mut found: Option<(GapAt, Face)> = None;
         for face in self.faces_about(place, u) {
             let met = match face.number.and_then(|number| known.get_mut(number)) {
-                Some(known) => *known.get_or_insert_with(|| face.nearest(&mut gap)),
-                None => face.nearest(&mut gap),
+                Some(known) => *known.get_or_insert_with(|| face.nearest(gap)),
+                None => face.nearest(gap),
             };
             let Some(met) = met else { continue };
             if found.is_none_or(|((least, _), _)| met.0 < least) {
@@ -126,16 +161,15 @@ impl Contact {
             }
         }
         let (met, face) = found?;
-        let own = self.place(point, 0.0, u);
         let near = met.0 + AT_NODE * face.long();
         let Some(at_node) = gap(own).filter(|gap| *gap <= near) else {
-            return Some(face.falls(met, None, &mut gap));
+            return Some(face.falls(met, None, gap));
         };
         // at the node itself the faces about it may lie along both flanks
         let (mut sum, mut count) = (0.0, 0.0);
         let level = mean(self.faces_about(place, u).map(|own| own.normal));
         for face in self.faces_about(place, u) {
-            sum += face.falls((at_node, own), Some(level), &mut gap);
+            sum += face.falls((at_node, own), Some(level), gap);
             count += 1.0;
         }
         Some(sum / count)
@@ -148,7 +182,7 @@ impl Contact {
         place: usize,
         u: &[f64],
         positions: &MasterPositions,
-    ) -> Option<f64> {
+    ) -> Option<MissedAt> {
         let point = &self.points[place];
         let (of, Carrier::Node { position, .. }) = (self.parent(point.pair), &point.carrier) else {
             return None;
@@ -175,7 +209,8 @@ impl Contact {
             let depth = depth_behind([a, b], at).min(depth_behind([b, c], at));
             (-depth).clamp(0.0, 2.0 * size(half))
         });
-        Some(falls[0].min(falls[1]))
+        // it is held itself: nothing of it is smoothed away
+        Some(MissedAt { falls_away: falls[0].min(falls[1]), smoothed_away: 0.0 })
     }
 
     /// The faces about a slave node.
@@ -199,27 +234,8 @@ impl Contact {
         }))
     }
 
-    /// How far the smoothed corner that a slave node faces lies off the corner of the line that it smooths, at the
-    /// node [L]; zero elsewhere.
-    pub fn smoothed_away(&self, place: usize, u: &[f64], positions: &MasterPositions) -> f64 {
-        let point = &self.points[place];
-        let master = &self.masters[point.pair];
-        let MasterSurface::Line { chain, nodes, offset, itself: None, .. } = master else {
-            return 0.0;
-        };
-        let at = self.place(point, 0.0, u);
-        let piece = master.piece((positions, point.pair), (at, 0, &Outlook::EVERYWHERE));
-        let stand = positions.nodes.get(*offset..offset + nodes.len());
-        let (Some(piece), Some(stand)) = (piece, stand) else { return 0.0 };
-        let corner = stand.get(piece.nodes());
-        let (PieceKind::Corner, Some([a, b, c])) = (piece.kind, corner) else { return 0.0 };
-        let Some([smoothed, _]) = chain_overclosure(chain, &piece, stand, at) else { return 0.0 };
-        let (before, behind) = (depth_behind([*a, *b], at), depth_behind([*b, *c], at));
-        let cut = if before.abs() < behind.abs() { before } else { behind };
-        (cut - smoothed).abs()
-    }
-
-    /// How deep a place stands in the master that a slave node has [L]; `None` where it faces nothing.
+    /// How deep a place stands in the analytical surface, or faces in space, that a slave node has [L]; `None` where it
+    /// faces nothing.
     pub(super) fn depth_at(
         &self,
         point: &SlavePoint,
@@ -232,12 +248,6 @@ impl Contact {
             MasterSurface::Body { surface, .. } => surface.overclosure(&master.placed_body(u), at),
             MasterSurface::Faces { itself: None, .. } => {
                 self.depth_in_faces(point, at, positions, room)
-            }
-            MasterSurface::Line { chain, nodes, offset, itself: None, .. } => {
-                let own = (positions, point.pair);
-                let piece = master.piece(own, (at, 0, &Outlook::EVERYWHERE))?;
-                let stand = positions.nodes.get(*offset..offset + nodes.len())?;
-                chain_overclosure(chain, &piece, stand, at).map(|[depth, _]| depth)
             }
             _ => None,
         }
