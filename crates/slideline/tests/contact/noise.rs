@@ -29,18 +29,18 @@ fn finer(name: &str) -> Read {
     Job::read_text("finer", &text, &ReadOptions::default())
 }
 
-fn folder(name: &str) -> PathBuf {
+pub(crate) fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("noise_{name}"));
     let _ = std::fs::remove_dir_all(&folder);
     folder
 }
 
-fn run_in(folder: &Path, read: &Read) -> Outcome {
+pub(crate) fn run_in(folder: &Path, read: &Read) -> Outcome {
     let options = RunOptions { folder: Some(folder.to_owned()), ..RunOptions::default() };
     run(read, &options, &mut Quiet)
 }
 
-fn codes(outcome: &Outcome) -> Vec<&str> {
+pub(crate) fn codes(outcome: &Outcome) -> Vec<&str> {
     outcome.diagnostics.iter().map(|said| said.code.0).collect()
 }
 
@@ -302,7 +302,7 @@ fn an_edge_that_goes_through_faces_is_told() {
 }
 
 /// A block above the ridge of a rigid surface, between two of its nodes.
-const RIDGE: &str = "\
+pub(crate) const RIDGE: &str = "\
 *NODE
 1, 0.0, 0.0
 2, 0.4, 0.0
@@ -361,63 +361,4 @@ fn the_corner_of_an_analytical_surface_in_open_faces_is_told() {
     let higher = RIDGE.replace("9, 2, 2, 0.03", "9, 2, 2, 0.05");
     let round = higher.replace("TYPE=SEGMENTS", "TYPE=SEGMENTS, FILLET RADIUS=0.2");
     assert!(!said("ridge_round", &round));
-}
-
-/// [`RIDGE`] with contact at the nodes, and the stroke.
-fn at_nodes(stroke: f64) -> String {
-    let deck = RIDGE.replace("TYPE=SURFACE TO SURFACE", "TYPE=NODE TO SURFACE");
-    deck.replace("9, 2, 2, 0.03", &format!("9, 2, 2, {stroke}"))
-}
-
-/// [`at_nodes`] against two rigid elements, whose ridge is so much higher than their ends.
-fn meshed(stroke: f64, (at, rise): (f64, f64), smooth: &str) -> String {
-    let deck = at_nodes(stroke).replace("TO SURFACE\n", &format!("TO SURFACE{smooth}\n"));
-    let (before, rest) = deck.split_once("*SURFACE, NAME=R").unwrap();
-    let (_, rest) = rest.split_once("REF NODE=9\n").unwrap();
-    let low = -0.01 - rise;
-    format!(
-        "{before}*NODE\n11, -0.6, {low}\n12, {at}, -0.01\n13, 1.8, {low}\n\
-         *ELEMENT, TYPE=R2D2, ELSET=R\n11, 11, 12\n12, 12, 13\n*SURFACE, NAME=R\nR, SPOS\n\
-         *RIGID BODY, ELSET=R, REF NODE=9\n{rest}"
-    )
-}
-
-fn told(name: &str, deck: &str) -> Vec<String> {
-    let outcome = run_in(&folder(name), &Job::read_text("ridge", deck, &ReadOptions::default()));
-    assert_eq!(outcome.status, Status::Completed, "{name}: {:?}", codes(&outcome));
-    codes(&outcome).iter().map(|&own| own.to_owned()).collect()
-}
-
-/// Requirement: the ridge of an analytical surface in a face none of whose nodes touches is told of from a tenth of the
-/// face on, where contact is at nodes; one that does not come so far is not.
-#[test]
-fn a_ridge_between_slave_nodes_is_told() {
-    let said = |name: &str, stroke| told(name, &at_nodes(stroke)).contains(&"SL0620".to_owned());
-    assert!(said("ridge_nodes_deep", 0.08));
-    assert!(!said("ridge_nodes_shallow", 0.03));
-}
-
-/// Requirement: a ridge that is narrow for the faces of the slave is told of where a node holds it, analytical or meshed,
-/// and where an edge of the mesh is held between nodes; a flat one that is pressed far is not.
-#[test]
-fn a_ridge_that_is_narrow_for_the_slave_is_told() {
-    let said = |name: &str, deck: &str| told(name, deck).contains(&"SL0621".to_owned());
-    let on_node = at_nodes(0.03).replace("LINE, 0.6, -0.01", "LINE, 0.4, -0.01");
-    assert!(said("ridge_on_node", &on_node));
-    assert!(said("ridge_on_node_meshed", &meshed(0.03, (0.4, 0.3), ", SMOOTH=0")));
-    assert!(said("ridge_edge_held", &meshed(0.03, (0.6, 0.7), "")));
-    let flat = on_node.replace("-0.34", "-0.012");
-    assert!(!said("ridge_flat", &flat));
-}
-
-/// Requirement: a corner of a meshed master that smoothing moves by much of the stroke is told of; without smoothing
-/// nothing is.
-#[test]
-fn a_corner_that_is_smoothed_away_is_told() {
-    let said = |name: &str, smooth| {
-        let deck = meshed(0.06, (0.4, 0.08), smooth);
-        told(name, &deck).contains(&"SL0622".to_owned())
-    };
-    assert!(said("ridge_smoothed", ""));
-    assert!(!said("ridge_not_smoothed", ", SMOOTH=0"));
 }
