@@ -193,7 +193,7 @@ mod tests {
             heaviest: Cow::Owned(vec![Heaviest {
                 force: 3.0,
                 falls_away: 0.1,
-                smoothed_away: 0.0,
+                ..Heaviest::default()
             }]),
         }
     }
