@@ -98,7 +98,7 @@ mod tests {
             );
         };
         close(line(&ridge).depth([0.0, 2.0, 0.0]), -2.0);
-        close(line(&ridge).depth([0.9, 0.6, 0.0]), -1.17f64.sqrt());
+        close(line(&ridge).depth([0.9, 0.6, 0.0]), -1.08);
         close(line(&ridge).depth([0.0, -1.0, 0.0]), 0.6);
         close(line(&ridge).depth([1.5 + 0.8, -2.0 + 0.6, 0.0]), -1.0);
         close(line(&valley).depth([0.0, -2.0, 0.0]), 2.0);
