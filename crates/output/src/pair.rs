@@ -14,7 +14,7 @@ const UNSEEN: &str = "unseen_node";
 
 #[allow(clippy::cast_precision_loss)] // counts of points
 /// All other columns.
-const QUANTITIES: [(&str, PairQuantity); 20] = [
+const QUANTITIES: [(&str, PairQuantity); 23] = [
     ("closed", |row| row.closed as f64),
     ("changes", |row| row.changes as f64),
     ("penetration", |row| row.penetration),
@@ -35,6 +35,9 @@ const QUANTITIES: [(&str, PairQuantity); 20] = [
     ("friction_y", |row| row.of_friction.force[1]),
     ("friction_z", |row| row.of_friction.force[2]),
     ("unseen_depth", |row| row.unseen_depth),
+    ("falls_away", |row| row.falls_away),
+    ("smoothed_away", |row| row.smoothed_away),
+    ("approach", |row| row.approach),
 ];
 
 /// The quantity of a column of `JOB.pair.csv`.
@@ -52,7 +55,7 @@ pub(crate) fn columns(model: &Model) -> Vec<&'static str> {
     };
     let mut names: Vec<&str> = QUANTITIES.iter().map(|own| own.0).filter(is_there).collect();
     names.insert(3, DEEPEST);
-    names.push(UNSEEN);
+    names.insert(names.len() - 3, UNSEEN);
     names
 }
 

@@ -136,6 +136,9 @@ fn row(table: &Table, model: &Model) -> Result<PairRow, Problem> {
         area: number(next + 2)?,
         unseen_depth: number(unseen)?,
         unseen: node(unseen + 1),
+        falls_away: number(unseen + 2)?,
+        smoothed_away: number(unseen + 3)?,
+        approach: number(unseen + 4)?,
         ..PairRow::default()
     })
 }

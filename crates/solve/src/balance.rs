@@ -196,7 +196,7 @@ fn forces_at(
 }
 
 /// Length of a vector.
-fn size(vector: [f64; 3]) -> f64 {
+pub fn size(vector: [f64; 3]) -> f64 {
     vector[0].hypot(vector[1]).hypot(vector[2])
 }
 

@@ -13,6 +13,7 @@
 
 use crate::contact::contact_sizes;
 use crate::dofs::DofMap;
+use crate::heaviest::Heaviest;
 use crate::increments::Control;
 use crate::observe::reports::Totals;
 use crate::observe::results::Energies;
@@ -44,6 +45,8 @@ pub struct Checkpoint<'a> {
     pub(crate) start: Start<'a>,
     /// Where the step goes on; `None`: it is done.
     pub(crate) control: Option<Control>,
+    /// Pairs where they have carried most so far.
+    pub(crate) heaviest: Cow<'a, [Heaviest]>,
 }
 
 impl Checkpoint<'_> {
@@ -52,13 +55,19 @@ impl Checkpoint<'_> {
         Checkpoint {
             state: Cow::Owned(self.state.clone().into_owned()),
             start: self.start.owned(),
+            heaviest: Cow::Owned(self.heaviest.clone().into_owned()),
             ..*self
         }
     }
 
     /// The same, its vectors borrowed.
     pub fn borrowed(&self) -> Checkpoint<'_> {
-        Checkpoint { state: Cow::Borrowed(&self.state), start: self.start.borrowed(), ..*self }
+        Checkpoint {
+            state: Cow::Borrowed(&self.state),
+            start: self.start.borrowed(),
+            heaviest: Cow::Borrowed(&self.heaviest),
+            ..*self
+        }
     }
 
     /// Whether the step ends here.
@@ -135,6 +144,8 @@ impl Checkpoint<'_> {
             && self.start.references.is_sorted_by(|a, b| a.element < b.element)
             && [0, dofs].contains(&state.damping.len())
             && state.damping.iter().all(|value| value.is_finite())
+            && self.heaviest.len() == model.contact_pairs.len()
+            && self.heaviest.iter().all(Heaviest::is_sound)
     }
 }
 
@@ -179,6 +190,11 @@ mod tests {
                 }]),
             },
             control: Some(Control { time: 0.3, dt: 0.1, committed: 7, attempts: 2, quick: 1 }),
+            heaviest: Cow::Owned(vec![Heaviest {
+                force: 3.0,
+                falls_away: 0.1,
+                ..Heaviest::default()
+            }]),
         }
     }
 

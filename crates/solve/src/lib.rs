@@ -23,6 +23,7 @@ mod convergence;
 mod diagnose;
 mod dofs;
 mod evaluate;
+mod heaviest;
 mod history;
 mod idle;
 mod increments;

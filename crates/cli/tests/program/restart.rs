@@ -98,6 +98,18 @@ fn the_papers_decks_and_integrated_contact() {
     leave_and_go_on("surface", &deck, &[4, 50, 80]);
 }
 
+/// What a pair missed where it carried most, after it has left what it met (docs/theory.md section 5.20).
+#[test]
+fn what_a_pair_missed_goes_on() {
+    let ridge = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../corpus/run/SL0621-ridge.inp");
+    let deck = std::fs::read_to_string(ridge).unwrap();
+    let deck = deck
+        .replace("*STEP, NLGEOM", "*AMPLITUDE, NAME=A\n0.0, 0.0, 0.3, 1.0, 0.6, 0.0, 1.0, 0.0\n*RESTART, WRITE\n*STEP, NLGEOM, INC=1000")
+        .replace("0.02, 1.0, 1.0E-6, 0.02", "0.002, 1.0, 1.0E-6, 0.002")
+        .replace("9, 2, 2, 0.06", "*BOUNDARY, AMPLITUDE=A\n9, 2, 2, 0.06\n*BOUNDARY");
+    leave_and_go_on("missed", &deck, &[100, 200, 350]);
+}
+
 /// Numbers that look random, the same in every run of the test. [derived: a
 /// linear congruential generator]
 struct Moments(u64);

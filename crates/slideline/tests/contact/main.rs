@@ -24,6 +24,7 @@ mod mortar_in_space;
 mod mortar_in_space_verification;
 mod mortar_sliding;
 mod mortar_verification;
+mod narrow_masters;
 mod no_separation;
 mod noise;
 mod pairs_that_leave;

@@ -29,18 +29,18 @@ fn finer(name: &str) -> Read {
     Job::read_text("finer", &text, &ReadOptions::default())
 }
 
-fn folder(name: &str) -> PathBuf {
+pub(crate) fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("noise_{name}"));
     let _ = std::fs::remove_dir_all(&folder);
     folder
 }
 
-fn run_in(folder: &Path, read: &Read) -> Outcome {
+pub(crate) fn run_in(folder: &Path, read: &Read) -> Outcome {
     let options = RunOptions { folder: Some(folder.to_owned()), ..RunOptions::default() };
     run(read, &options, &mut Quiet)
 }
 
-fn codes(outcome: &Outcome) -> Vec<&str> {
+pub(crate) fn codes(outcome: &Outcome) -> Vec<&str> {
     outcome.diagnostics.iter().map(|said| said.code.0).collect()
 }
 
@@ -302,7 +302,7 @@ fn an_edge_that_goes_through_faces_is_told() {
 }
 
 /// A block above the ridge of a rigid surface, between two of its nodes.
-const RIDGE: &str = "\
+pub(crate) const RIDGE: &str = "\
 *NODE
 1, 0.0, 0.0
 2, 0.4, 0.0

@@ -29,8 +29,8 @@ const WITHIN: f64 = 1e-6;
 pub struct EdgeInside {
     /// The pair.
     pub pair: usize,
-    /// A node of the edge, by its place among those of its master.
-    pub edge: usize,
+    /// A node of the edge, by its place among those of its master; none of an analytical surface.
+    pub edge: Option<usize>,
     /// Corners of the face.
     pub face: Vec<NodeIndex>,
     /// How deep it stands [L].
@@ -81,7 +81,7 @@ impl Contact {
             let near = place.nearest.filter(|near| near.depth >= DEEP)?;
             let corners = &self.slave_faces[near.face].corners;
             let face = corners.iter().map(|(node, ..)| *node).collect();
-            Some(EdgeInside { pair, edge: place.node, face, depth: near.distance })
+            Some(EdgeInside { pair, edge: Some(place.node), face, depth: near.distance })
         });
         inside.max_by(|a, b| a.depth.total_cmp(&b.depth))
     }

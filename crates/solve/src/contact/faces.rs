@@ -138,11 +138,12 @@ impl Contact {
         point: &SlavePoint,
         at: [f64; 3],
         positions: &MasterPositions,
+        room: &mut FaceRoom,
     ) -> Option<f64> {
-        let (mut room, everywhere) = (FaceRoom::default(), &Outlook::EVERYWHERE);
-        let place = self.face_met(point, (at, None), everywhere, positions, &mut room)?;
+        let everywhere = &Outlook::EVERYWHERE;
+        let place = self.face_met(point, (at, None), everywhere, positions, room)?;
         let placed = self.placed_faces(point.pair, positions)?;
-        let own = FacePoint::new(placed.mesh, placed.positions, (place, at), None, &mut room)?;
+        let own = FacePoint::new(placed.mesh, placed.positions, (place, at), None, room)?;
         Some(-own.gap().gap)
     }
 

@@ -86,7 +86,8 @@ impl Contact {
                 continue;
             }
             let number = self.slave_faces.len();
-            self.slave_faces.push(SlaveFace { corners: face.iter().map(corner).collect() });
+            let corners = face.iter().map(corner).collect();
+            self.slave_faces.push(SlaveFace { corners, parts: 1.0 });
             about.into_iter().for_each(|place| self.points[place].faces.push(number));
         }
     }

@@ -13,7 +13,7 @@ use crate::dofs::DofMap;
 use slideline_mech::contact::search::outlook::Outlook;
 use slideline_mech::contact::search::sharp;
 use slideline_model::{ContactPair, Model, NodeIndex};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 impl Contact {
     /// Notes the faces about the slave nodes of a pair.
@@ -21,15 +21,19 @@ impl Contact {
         let first = self.slave_faces.len();
         let corner = |&node: &NodeIndex| (node, [0.0; 3], dofs.translations(node));
         if pair.of_solids {
-            let elements = pair.elements.iter().map(|element| &element.nodes[..]);
-            let faces =
-                elements.map(|nodes| SlaveFace { corners: nodes.iter().map(corner).collect() });
+            let elements = pair.elements.iter().map(|element| element.nodes.iter().map(corner));
+            let faces = elements.map(|own| SlaveFace { corners: own.collect(), parts: 1.0 });
             self.slave_faces.extend(faces);
         }
-        for face in &pair.faces {
+        let (faces, slaves) = (&pair.faces[..], &self.slave_nodes[place][..]);
+        let slaves: HashSet<NodeIndex> =
+            if faces.is_empty() { HashSet::new() } else { slaves.iter().copied().collect() };
+        for face in faces {
             let Some(cell) = face.cell() else { continue };
-            let corners = face.nodes[..cell.faces.len()].iter().map(corner).collect();
-            self.slave_faces.push(SlaveFace { corners });
+            let (corners, middles) = face.nodes.split_at(cell.faces.len());
+            let parts = if middles.iter().any(|node| slaves.contains(node)) { 2.0 } else { 1.0 };
+            self.slave_faces
+                .push(SlaveFace { corners: corners.iter().map(corner).collect(), parts });
         }
         let mut of_node: HashMap<NodeIndex, Vec<usize>> = HashMap::new();
         for (own, face) in self.slave_faces.iter().enumerate().skip(first) {

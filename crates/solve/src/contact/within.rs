@@ -11,6 +11,7 @@ use super::master::MasterSurface;
 use super::pairs::Contact;
 use super::positions::MasterPositions;
 use crate::state::PointState;
+use slideline_mech::contact::pair::FaceRoom;
 
 impl Contact {
     /// How deep the node of a point that belongs to faces, and that faces nothing, stands in its
@@ -34,7 +35,9 @@ impl Contact {
         let depth = match master {
             MasterSurface::Nothing => None,
             MasterSurface::Body { surface, .. } => surface.depth(master.placed_body(u).to_body(at)),
-            MasterSurface::Faces { .. } => self.depth_in_faces(point, at, positions),
+            MasterSurface::Faces { .. } => {
+                self.depth_in_faces(point, at, positions, &mut FaceRoom::default())
+            }
             MasterSurface::Line { .. } => {
                 let stands = self.stands(place, u, positions);
                 stands.faces.then_some(stands.overclosure)

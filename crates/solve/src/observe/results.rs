@@ -127,6 +127,15 @@ pub struct PairRow {
     pub unseen_depth: f64,
     /// A node of that face.
     pub unseen: Option<NodeIndex>,
+    /// Of contact at nodes: how far the master falls away from where it is met within a face of the slave, a
+    /// mean over closed nodes by their forces, where the pair has carried most so far in the run [L].
+    pub falls_away: f64,
+    /// Of contact at nodes: how far the smoothed corners that they face lie off the corners of the master, in the
+    /// same mean [L].
+    pub smoothed_away: f64,
+    /// Way by which the parts have come together: twice the energy of the model over the force of the pair [L];
+    /// zero without force.
+    pub approach: f64,
     /// Sum of the forces on the slaves [F].
     pub force: [f64; 3],
     /// Their moment about the origin [F L].

@@ -97,6 +97,7 @@ impl<'a> Analysis<'a> {
         (room, observer): (&'a mut Room, &'a mut dyn Observer),
     ) -> Self {
         let Room { committed, trial, rows, start, reached, neighbours } = room;
+        rows.heaviest.begin(&[]);
         Self {
             model,
             plan,

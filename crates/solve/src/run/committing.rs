@@ -5,6 +5,7 @@ use super::shown::{Numbers, Rows, frame};
 use crate::balance::pair_rows;
 use crate::commit::commit;
 use crate::diagnose;
+use crate::heaviest::take_approaches;
 use crate::increments::Decision;
 use crate::joined_forces::joined_forces;
 use crate::newton::{Outcome, Scratch};
@@ -46,6 +47,9 @@ impl Analysis<'_> {
         section_rows(plan, self.committed, work, &mut self.rows.sections);
         joined_forces(plan, self.committed, work, &mut self.rows.joined);
         let jumped = self.balance_books(plan, target, work);
+        let Rows { pairs, heaviest, .. } = &mut *self.rows;
+        heaviest.take(plan, (self.committed, work), last, pairs);
+        take_approaches(self.committed, &mut self.rows.pairs);
         let frame = frame(plan, self.committed, &numbers, self.rows);
         // A wish to stop does not keep back what belongs to the increment.
         let mut told = match self.observer.event(Event::Committed(&frame)) {
@@ -58,7 +62,7 @@ impl Analysis<'_> {
         if *decision == Decision::StepDone {
             told = told.and(self.judge_stabilisation(plan)).and(self.judge_balance(plan, target));
         }
-        told = told.and(self.judge_room(plan)).and(self.judge_edges(plan));
+        told = told.and(self.judge_room(plan)).and(self.judge_edges(plan, work));
         if let Some(jumped) = &jumped {
             told = told.and(self.tell(Event::Diagnosed(jumped)));
         }

@@ -10,6 +10,7 @@
 use super::analysis::{Analysis, Left};
 use super::shown::{Numbers, frame};
 use crate::commit::commit;
+use crate::contact::EdgeInside;
 use crate::diagnose::{self, Case};
 use crate::increments::{StopReason, Verdict};
 use crate::newton::{Outcome, Scratch, attempt, relax};
@@ -110,35 +111,20 @@ impl Analysis<'_> {
     }
 
     /// Says so once where a sharp edge of a master stands in a face between two slave nodes.
-    pub(super) fn judge_edges(&mut self, plan: &Problem<'_>) -> Result<(), Left> {
+    pub(super) fn judge_edges(&mut self, plan: &Problem<'_>, work: &Scratch) -> Result<(), Left> {
         if self.edges_are_judged {
             return Ok(());
         }
         let committed = &*self.committed;
-        let found = plan.contact.edge_inside(&committed.displacement, &committed.points);
+        let u = &committed.displacement;
+        let found = plan.contact.edge_inside(u, &committed.points);
+        let found = found.or_else(|| {
+            let (positions, room) = (work.evaluation.positions(), &mut self.rows.heaviest.room);
+            plan.contact.surface_inside((u, &committed.points), positions, room)
+        });
         let Some(found) = found else { return Ok(()) };
         self.edges_are_judged = true;
-        let pair = &plan.model.contact_pairs[found.pair];
-        let nodes = &plan.model.nodes;
-        let edge = pair.master.deforming_nodes().get(found.edge).map(|&node| nodes.name(node));
-        let face: Vec<String> =
-            found.face.iter().map(|&node| nodes.name(node).to_string()).collect();
-        let (last, first) =
-            (face.last().cloned().unwrap_or_default(), face.len().saturating_sub(1));
-        let message = format!(
-            "an edge of the master of {}{} stands {:.3e} deep in the face between slave nodes {} and \
-             {last} at total time {:.6}: nodes of sharp edges are held, what lies between two of them \
-             is not, and a slave node may catch on its side",
-            pair.name,
-            edge.map(|edge| format!(", at node {edge},")).unwrap_or_default(),
-            found.depth,
-            face[..first].join(", "),
-            committed.total_time
-        );
-        let said = Diagnostic::warning(Code("SL0620"), message).at(pair.origin).help(
-            "mesh the edge with elements no longer than the faces that it stands in: its nodes are then held \
-             where it meets them",
-        );
+        let said = edge_inside(plan, &found, committed.total_time);
         self.tell(Event::Diagnosed(&said))
     }
 
@@ -223,6 +209,41 @@ impl Analysis<'_> {
             }
         }
     }
+}
+
+/// SL0620: what of a master stands in a face of the slave, between its nodes.
+fn edge_inside(plan: &Problem<'_>, found: &EdgeInside, time: f64) -> Diagnostic {
+    let pair = &plan.model.contact_pairs[found.pair];
+    let nodes = &plan.model.nodes;
+    let edge = found.edge.and_then(|edge| pair.master.deforming_nodes().get(edge).copied());
+    let edge = edge.map(|node| format!(", at node {},", nodes.name(node))).unwrap_or_default();
+    let mut face: Vec<String> =
+        found.face.iter().map(|&node| nodes.name(node).to_string()).collect();
+    let last = face.pop().unwrap_or_default();
+    let (what, why, help) = match found.edge {
+        Some(_) => (
+            "an edge",
+            "nodes of sharp edges are held, what lies between two of them is not, and a slave node may \
+             catch on its side",
+            "mesh the edge with elements no longer than the faces that it stands in: its nodes are then \
+             held where it meets them",
+        ),
+        None => (
+            "a ridge or round",
+            "contact is at the nodes of the slave, what lies between them is not held, and forces come \
+             out too small",
+            "make the slave elements there shorter than the ridge or round is wide, spread the contact \
+             over faces with TYPE=SURFACE TO SURFACE, or round the edge with FILLET RADIUS",
+        ),
+    };
+    let message = format!(
+        "{what} of the master of {}{edge} stands {:.3e} deep in the face between slave nodes {} and \
+         {last} at total time {time:.6}: {why}",
+        pair.name,
+        found.depth,
+        face.join(", "),
+    );
+    Diagnostic::warning(Code("SL0620"), message).at(pair.origin).help(help)
 }
 
 /// What shorter increments made of one that failed.

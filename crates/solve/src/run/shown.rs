@@ -2,6 +2,7 @@
 
 use crate::account::rounding;
 use crate::balance::Sum;
+use crate::heaviest::Measured;
 use crate::newton::Outcome;
 use crate::observe::results::{BeamRow, BlockResults, ContactRow, PairRow, SectionRow};
 use crate::observe::{Frame, Nodal};
@@ -23,6 +24,8 @@ pub(super) struct Rows {
     pub closed: Vec<bool>,
     /// A row a pair.
     pub pairs: Vec<PairRow>,
+    /// Pairs where they have carried most so far in the run.
+    pub heaviest: Measured,
     /// A row a request for a surface.
     pub sections: Vec<SectionRow>,
     /// What the dofs of joined nodes carry, a dof each; empty where nobody asks.

@@ -167,6 +167,7 @@ impl Analysis<'_> {
             state: Cow::Borrowed(&*self.committed),
             start: plan.start.borrowed(),
             control,
+            heaviest: Cow::Borrowed(&self.rows.heaviest.pairs),
         };
         match self.observer.event(Event::Checkpoint(&checkpoint)) {
             ControlFlow::Continue(()) => Ok(()),

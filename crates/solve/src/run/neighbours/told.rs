@@ -3,6 +3,7 @@
 use super::super::shown::{Numbers, Rows, frame};
 use crate::balance::pair_rows;
 use crate::evaluate::look_at;
+use crate::heaviest::take_approaches;
 use crate::newton::Scratch;
 use crate::observe::{Frame, Near};
 use crate::problem::Problem;
@@ -27,6 +28,7 @@ impl Shown<'_> {
         rows.fill(self.plan, self.state);
         let Rows { contact, pairs, sums, .. } = rows;
         pair_rows(self.plan, self.state, self.work, (contact, closed), (pairs, sums));
+        take_approaches(self.state, pairs);
     }
 
     fn respond(&self, response: &dyn Fn(&Frame<'_>) -> f64, told: (&Numbers, &Rows)) -> f64 {

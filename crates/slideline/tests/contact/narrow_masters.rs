@@ -1,0 +1,116 @@
+//! Masters that are narrow for the slave where contact is at its nodes, and corners that smoothing takes off.
+//!
+//! Source: docs/theory.md section 5.20.
+
+#![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
+
+use crate::noise::{RIDGE, codes, folder, run_in};
+use slideline::{Job, ReadOptions, Status};
+
+/// [`RIDGE`] with contact at the nodes, and the stroke.
+fn at_nodes(stroke: f64) -> String {
+    let deck = RIDGE.replace("TYPE=SURFACE TO SURFACE", "TYPE=NODE TO SURFACE");
+    deck.replace("9, 2, 2, 0.03", &format!("9, 2, 2, {stroke}"))
+}
+
+/// [`at_nodes`] against two rigid elements, whose ridge is so much higher than their ends.
+fn meshed(stroke: f64, (at, rise): (f64, f64), smooth: &str) -> String {
+    let deck = at_nodes(stroke).replace("TO SURFACE\n", &format!("TO SURFACE{smooth}\n"));
+    let (before, rest) = deck.split_once("*SURFACE, NAME=R").unwrap();
+    let (_, rest) = rest.split_once("REF NODE=9\n").unwrap();
+    let low = -0.01 - rise;
+    format!(
+        "{before}*NODE\n11, -0.6, {low}\n12, {at}, -0.01\n13, 1.8, {low}\n\
+         *ELEMENT, TYPE=R2D2, ELSET=R\n11, 11, 12\n12, 12, 13\n*SURFACE, NAME=R\nR, SPOS\n\
+         *RIGID BODY, ELSET=R, REF NODE=9\n{rest}"
+    )
+}
+
+fn told(name: &str, deck: &str) -> Vec<String> {
+    let outcome = run_in(&folder(name), &Job::read_text("ridge", deck, &ReadOptions::default()));
+    assert_eq!(outcome.status, Status::Completed, "{name}: {:?}", codes(&outcome));
+    codes(&outcome).iter().map(|&own| own.to_owned()).collect()
+}
+
+/// Requirement: the ridge of an analytical surface in a face none of whose nodes touches is told of from a tenth of the
+/// face on, where contact is at nodes; one that does not come so far is not.
+#[test]
+fn a_ridge_between_slave_nodes_is_told() {
+    let said = |name: &str, stroke| told(name, &at_nodes(stroke)).contains(&"SL0620".to_owned());
+    assert!(said("ridge_nodes_deep", 0.08));
+    assert!(!said("ridge_nodes_shallow", 0.03));
+}
+
+/// Requirement: a ridge that is narrow for the faces of the slave is told of where a node holds it, analytical or meshed,
+/// and where an edge of the mesh is held between nodes; a flat one that is pressed far is not.
+#[test]
+fn a_ridge_that_is_narrow_for_the_slave_is_told() {
+    let said = |name: &str, deck: &str| told(name, deck).contains(&"SL0621".to_owned());
+    assert!(said("ridge_on_node", &on_node()));
+    assert!(said("ridge_on_node_meshed", &meshed(0.03, (0.4, 0.3), ", SMOOTH=0")));
+    assert!(said("ridge_edge_held", &meshed(0.03, (0.6, 0.7), "")));
+    let flat = on_node().replace("-0.34", "-0.012");
+    assert!(!said("ridge_flat", &flat));
+}
+
+/// Requirement: a corner of a meshed master that smoothing moves by much of the stroke is told of; without smoothing
+/// nothing is.
+#[test]
+fn a_corner_that_is_smoothed_away_is_told() {
+    let said = |name: &str, smooth| {
+        let deck = meshed(0.06, (0.4, 0.08), smooth);
+        told(name, &deck).contains(&"SL0622".to_owned())
+    };
+    assert!(said("ridge_smoothed", ""));
+    assert!(!said("ridge_not_smoothed", ", SMOOTH=0"));
+}
+
+/// [`at_nodes`] with the ridge under a node.
+fn on_node() -> String {
+    at_nodes(0.03).replace("LINE, 0.6, -0.01", "LINE, 0.4, -0.01")
+}
+
+/// Requirement: what a pair missed where it carried most is told when the analysis ends within a step, and when the
+/// parts have left one another at its end.
+#[test]
+fn a_narrow_ridge_is_told_however_the_analysis_ends() {
+    let early = on_node().replace("*STEP, NLGEOM", "*STEP, NLGEOM, INC=2");
+    let read = Job::read_text("ridge", &early, &ReadOptions::default());
+    let outcome = run_in(&folder("ridge_early"), &read);
+    assert_ne!(outcome.status, Status::Completed);
+    assert!(codes(&outcome).contains(&"SL0621"), "{:?}", codes(&outcome));
+    let back =
+        on_node().replace("*STEP", "*AMPLITUDE, NAME=A\n0.0, 0.0, 0.5, 1.0, 1.0, 0.0\n*STEP");
+    let back = back.replace("9, 2, 2, 0.03", "*BOUNDARY, AMPLITUDE=A\n9, 2, 2, 0.03\n*BOUNDARY");
+    assert!(told("ridge_back", &back).contains(&"SL0621".to_owned()));
+}
+
+/// The last number of a column of `JOB.pair.csv`.
+fn last(name: &str, deck: &str, column: &str) -> f64 {
+    let folder = folder(name);
+    run_in(&folder, &Job::read_text("ridge", deck, &ReadOptions::default()));
+    let text = std::fs::read_to_string(folder.join("ridge.pair.csv")).unwrap();
+    let place = text.lines().next().unwrap().split(',').position(|own| own == column).unwrap();
+    text.lines().last().unwrap().split(',').nth(place).unwrap().parse().unwrap()
+}
+
+/// Requirement: what is missed does not depend on the order of the elements, about a node whose faces differ; and is by
+/// hand the mean over both faces of half of each, down the flatter flank.
+#[test]
+fn what_is_missed_does_not_depend_on_the_numbering() {
+    let graded =
+        on_node().replace("3, 0.8, 0.0", "3, 0.6, 0.0").replace("7, 0.8, 0.4", "7, 0.6, 0.4");
+    let graded = graded.replace("9, 2, 2, 0.03", "9, 2, 2, 1.00001E-2");
+    let [first, third] = ["1, 1, 2, 6, 5\n", "3, 3, 4, 8, 7\n"];
+    let middle = "2, 2, 3, 7, 6\n";
+    let straight = [first, middle, third].concat();
+    assert!(graded.contains(&straight));
+    let turned = graded.replace(&straight, &[third, middle, first].concat());
+    let [one, other] = [("ridge_one", &graded), ("ridge_other", &turned)]
+        .map(|(name, deck)| last(name, deck, "falls_away"));
+    assert!((one - other).abs() < 1e-9 * one, "{one} {other}");
+    // flanks of 0.33 over 0.4 and over 0.8; distances are across the flank
+    let flank = 0.33 / 0.33f64.hypot(0.8);
+    let expected = 0.5 * (0.2 + 0.1) * flank;
+    assert!((one / expected - 1.0).abs() < 1e-3, "{one} {expected}");
+}
