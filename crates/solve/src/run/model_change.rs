@@ -60,7 +60,7 @@ impl Analysis<'_> {
         let contact = self
             .values
             .contact
-            .of_step((self.model, self.plan.dofs.len()), &self.model.steps[before]);
+            .of_step((self.model, self.plan.dofs.len()), before);
         let held = contact.release(&change.pairs, (&mut *self.committed, -1.0), &mut force);
         self.begin_elements(&change.begun, start);
         self.judge_beginnings(number, start)?;
