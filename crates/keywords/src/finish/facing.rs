@@ -89,14 +89,16 @@ fn is_open(surface: &NamedSurface, draft: &mut Draft) -> bool {
 pub(super) fn places(slaves: &[NodeIndex], draft: &Draft) -> Vec<[f64; 3]> {
     let nodes: HashSet<NodeIndex> = slaves.iter().copied().collect();
     let position = |label: &u64| Some(draft.model.nodes.position(draft.model.nodes.find(*label)?));
-    let own = |label: &u64| draft.model.nodes.find(*label).is_some_and(|node| nodes.contains(&node));
+    let own =
+        |label: &u64| draft.model.nodes.find(*label).is_some_and(|node| nodes.contains(&node));
     let solids = draft.elements.iter().filter(|element| is_solid(element.kind));
     let middle = |element: &Element| -> Option<[f64; 3]> {
         let all: Vec<[f64; 3]> = element.nodes().iter().filter_map(position).collect();
         let sum = |k: usize| all.iter().map(|at| at[k]).sum::<f64>() / all.len() as f64;
         (!all.is_empty()).then(|| std::array::from_fn(sum))
     };
-    let found: Vec<_> = solids.filter(|one| one.nodes().iter().any(own)).filter_map(middle).collect();
+    let found: Vec<_> =
+        solids.filter(|one| one.nodes().iter().any(own)).filter_map(middle).collect();
     if found.is_empty() {
         return slaves.iter().map(|&node| draft.model.nodes.position(node)).collect();
     }

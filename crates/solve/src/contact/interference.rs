@@ -38,7 +38,8 @@ pub(super) fn allowed_in(model: &Model, step: usize) -> Vec<(&Interference, Cour
     let own = here.iter().map(|own| (own, course(own)));
     let before = step.checked_sub(1).map(|before| &model.steps[before]);
     let left = before.into_iter().flat_map(|before| {
-        let alone = before.interferences.iter().filter(|own| here.iter().all(|new| new.pair != own.pair));
+        let alone =
+            before.interferences.iter().filter(|own| here.iter().all(|new| new.pair != own.pair));
         alone.filter_map(|own| {
             let part = amplitude(own)?.at(before.procedure.period);
             (part != 0.0).then_some((own, Course::Left(part)))
