@@ -8,6 +8,7 @@ use crate::heat::{Watch, run};
 use slideline::model::{ElementType, TYPES, types};
 use slideline::{Job, Quiet, ReadOptions, RunOptions, Status};
 use std::fmt::Write as _;
+use std::path::Path;
 
 const YOUNG: f64 = 200.0;
 const EXPANSION: f64 = 2e-3;
@@ -369,7 +370,9 @@ fn free_bodies_miss_no_energy_of_heat() {
                 if kind == "CAX8" { "" } else { "7, 2\n" },
             );
         let read = Job::read_text("free", &text, &ReadOptions::default());
-        let outcome = slideline::run(&read, &RunOptions::default(), &mut Quiet);
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("free_heat");
+        let options = RunOptions { folder: Some(folder), ..RunOptions::default() };
+        let outcome = slideline::run(&read, &options, &mut Quiet);
         assert_eq!(outcome.status, Status::Completed, "{kind} {:#?}", outcome.diagnostics);
         let warned = outcome.diagnostics.iter().find(|said| said.code.0 == "SL0604");
         assert!(warned.is_none(), "{kind} {to}: {warned:#?}");
