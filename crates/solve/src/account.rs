@@ -24,6 +24,8 @@ use slideline_mech::material::Clock;
 
 /// Roundings that energies may be off by [1]. (choice)
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
+/// Part of the heat that bodies follow freely which (10.8) may err by: strains of an increment.
+const FREE_HEAT: f64 = 0.02;
 
 /// Energies after the increment: work by the trapezoidal rule, dissipation
 /// as the mean of the traction forces at both ends times the slip, eqs (10.1)
@@ -51,7 +53,8 @@ pub fn account(plan: &Problem<'_>, committed: &State, work: &Scratch, trial: &mu
     energy.external_work += plan.contact.interference_work(committed, trial);
     let brought = brought(plan, committed, trial);
     energy.removed_energy -= brought;
-    energy.thermal_work += thermal_work(plan, committed, work);
+    let heat = thermal_work(plan, committed, work);
+    energy.thermal_work += heat.work;
     for state in [committed, trial as &State] {
         let at = (&state.displacement[..], &committed.turns[..]);
         turn_moments(plan, &state.load, at, |dof, beyond| {
@@ -75,6 +78,7 @@ pub fn account(plan: &Problem<'_>, committed: &State, work: &Scratch, trial: &mu
         held: (before.of_the_model(), energy.of_the_model()),
         opening: friction.opening,
         opening_dissipation: friction.opening_dissipation,
+        heat: committed.books.heat + heat.taken_back,
         ..committed.books
     };
     if committed.balance_origin.is_none() {
@@ -89,17 +93,33 @@ pub fn rounding(plan: &Problem<'_>, state: &State) -> f64 {
     ROUNDING * plan.structure.stiffest * plan.reach * moved.min(plan.reach)
 }
 
+/// What energies that do not balance say nothing: rounding, and what the work of heat is not known by
+/// where bodies follow it freely, docs/theory.md eqs (10.8) and (10.10) [F L].
+pub fn unsure(plan: &Problem<'_>, state: &State) -> f64 {
+    rounding(plan, state) + FREE_HEAT * state.books.heat
+}
+
+/// The work of heat in an increment.
+#[derive(Default)]
+struct Heat {
+    /// What it adds to the energy of the elements [F L].
+    work: f64,
+    /// What it would have added before the displacements and was taken back by them, or the other way
+    /// round [F L].
+    taken_back: f64,
+}
+
 /// What a change of temperature adds to the energy of the elements, the mean of adding it before
 /// and behind the displacements: docs/theory.md eq. (10.8). With the trapezoidal rule of the
 /// external work it is exact where the energy is quadratic.
-fn thermal_work(plan: &Problem<'_>, committed: &State, work: &Scratch) -> f64 {
+fn thermal_work(plan: &Problem<'_>, committed: &State, work: &Scratch) -> Heat {
     let before = match committed.temperatures.is_empty() {
         true => &plan.model.initial_temperatures,
         false => &committed.temperatures,
     };
     let after = &work.temperatures;
     if before == after {
-        return 0.0;
+        return Heat::default();
     }
     let mut room = plan.structure.room();
     let mut energy = |u: &[f64], temperatures: &[Temperature]| {
@@ -110,7 +130,10 @@ fn thermal_work(plan: &Problem<'_>, committed: &State, work: &Scratch) -> f64 {
         room.energy()
     };
     let (from, to) = (&committed.displacement[..], &work.u[..]);
-    0.5 * (energy(from, after) - energy(from, before) + energy(to, after) - energy(to, before))
+    let first = energy(from, after) - energy(from, before);
+    let last = energy(to, after) - energy(to, before);
+    let work = 0.5 * (first + last);
+    Heat { work, taken_back: 0.5 * (first.abs() + last.abs()) - work.abs() }
 }
 
 /// What contact pairs bring that come to a step overclosed: their points stand open in the state before,

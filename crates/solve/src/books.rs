@@ -27,6 +27,9 @@ pub struct Books {
     pub worst_at: [usize; 2],
     /// Its length [T].
     pub worst_dt: f64,
+    /// Energy that heat added and that bodies which followed it freely took back, or the other way round,
+    /// eq. (10.8).
+    pub heat: f64,
     /// Energy that the model held before and after the last increment.
     pub held: (f64, f64),
     /// The least and the most that it held.

@@ -1,13 +1,13 @@
 //! Rigid meshes in contact: they are the master, and turn a side to their slaves.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use slideline_diag::{Code, Diagnostic};
 use slideline_model::{ContactFace, NodeIndex};
 
 use super::rigid_faces::is_rigid;
 use super::surfaces::Found;
-use crate::draft::Draft;
+use crate::draft::{Draft, Element, ElementKind};
 use crate::rule::Subject;
 use crate::surfaces::{Extent, NamedSurface, Pairing, Side};
 
@@ -50,7 +50,7 @@ pub(super) fn turned(
         Found::Facets(own) => own.iter().flat_map(|facet| facet.nodes).collect(),
         _ => return Some(()),
     };
-    let (signed, size) = distances(&slaves, faces, draft);
+    let (signed, size) = distances(&places(&slaves, draft), faces, draft);
     let [name, other] = [&pairing.master.name, &pairing.slave.name];
     if signed.abs() <= 1e-6 * size {
         let message = format!("{other} lies on both sides of {name}, which has no face label");
@@ -84,14 +84,38 @@ fn is_open(surface: &NamedSurface, draft: &mut Draft) -> bool {
     false
 }
 
+/// Where slaves are that a master turns to: the middles of the solids that have these nodes, which do not
+/// move to the other side where a surface lies in the master or on it; of lines the nodes themselves [L].
+pub(super) fn places(slaves: &[NodeIndex], draft: &Draft) -> Vec<[f64; 3]> {
+    let nodes: HashSet<NodeIndex> = slaves.iter().copied().collect();
+    let position = |label: &u64| Some(draft.model.nodes.position(draft.model.nodes.find(*label)?));
+    let own =
+        |label: &u64| draft.model.nodes.find(*label).is_some_and(|node| nodes.contains(&node));
+    let solids = draft.elements.iter().filter(|element| is_solid(element.kind));
+    let middle = |element: &Element| -> Option<[f64; 3]> {
+        let all: Vec<[f64; 3]> = element.nodes().iter().filter_map(position).collect();
+        let sum = |k: usize| all.iter().map(|at| at[k]).sum::<f64>() / all.len() as f64;
+        (!all.is_empty()).then(|| std::array::from_fn(sum))
+    };
+    let found: Vec<_> =
+        solids.filter(|one| one.nodes().iter().any(own)).filter_map(middle).collect();
+    if found.is_empty() {
+        return slaves.iter().map(|&node| draft.model.nodes.position(node)).collect();
+    }
+    found
+}
+
+fn is_solid(kind: ElementKind) -> bool {
+    matches!(kind, ElementKind::Structural(row) if !row.cell.faces.is_empty())
+}
+
 /// The sum of the distances of slaves from the nearest faces, with the sign of the side, and of
 /// their sizes [L].
-fn distances(slaves: &[NodeIndex], faces: &[ContactFace], draft: &Draft) -> (f64, f64) {
-    let at = |node: &NodeIndex| draft.model.nodes.position(*node);
+fn distances(slaves: &[[f64; 3]], faces: &[ContactFace], draft: &Draft) -> (f64, f64) {
     let centres: Vec<([f64; 3], [f64; 3])> = faces.iter().map(|face| plane(face, draft)).collect();
     let most = (LOOKED_AT / faces.len().max(1)).max(1);
     let (mut signed, mut size) = (0.0, 0.0);
-    for place in slaves.iter().step_by(slaves.len().div_ceil(most).max(1)).map(at) {
+    for place in slaves.iter().step_by(slaves.len().div_ceil(most).max(1)) {
         let away = |centre: &[f64; 3]| (0..3).map(|k| (place[k] - centre[k]).powi(2)).sum::<f64>();
         let nearest = centres.iter().min_by(|a, b| away(&a.0).total_cmp(&away(&b.0)));
         let Some((centre, normal)) = nearest else { continue };

@@ -12,6 +12,7 @@ use slideline_diag::{Code, Diagnostic};
 use slideline_model::{ContactElement, Formulation, NodeIndex, SlideLine};
 
 use super::chain::{Broken, Chain, Facet, Travel};
+use super::facing::places;
 use crate::crossing::crossing;
 use crate::draft::Draft;
 use crate::rule::Subject;
@@ -48,7 +49,11 @@ pub(super) fn slide_line(
             chain.reverse();
             behind(mean.map(|(distance, length)| (-distance, length)), pairing, draft);
         }
-        Travel::Open => choose_side(&mut chain, mean, pairing, draft)?,
+        Travel::Open => {
+            let nodes: Vec<_> = slaves.iter().flat_map(|element| element.nodes).collect();
+            let mean = mean_of(&chain, &places(&nodes, draft), draft);
+            choose_side(&mut chain, mean, pairing, draft)?;
+        }
         Travel::Contradiction(first, second) => {
             let [first, second] = [first, second].map(|place| facets[place].label);
             let message = format!(
@@ -185,17 +190,21 @@ const DISTANCES: usize = 10_000_000;
 /// Mean signed distance of the slaves from the chain, and mean length of
 /// their nearest segments [L]; `None` where they stand on both sides alike.
 fn mean_distance(chain: &Chain, slaves: &[ContactElement], draft: &Draft) -> Option<(f64, f64)> {
-    let looked_at = (DISTANCES / chain.nodes.len().max(1)).clamp(1, LOOKED_AT);
+    let nodes = slaves.iter().flat_map(|element| element.nodes);
+    let places: Vec<_> = nodes.map(|node| draft.model.nodes.position(node)).collect();
+    mean_of(chain, &places, draft)
+}
+
+/// The same of places [L].
+fn mean_of(chain: &Chain, places: &[[f64; 3]], draft: &Draft) -> Option<(f64, f64)> {
+    let looked_at = 2 * (DISTANCES / chain.nodes.len().max(1)).clamp(1, LOOKED_AT);
     let (mut signed, mut size, mut lengths, mut count) = (0.0, 0.0, 0.0, 0.0);
-    for element in slaves.iter().step_by(slaves.len().div_ceil(looked_at).max(1)) {
-        for node in element.nodes {
-            let nodes = &draft.model.nodes;
-            let (distance, length) = chain.distance(nodes, nodes.position(node));
-            signed += distance;
-            size += distance.abs();
-            lengths += length;
-            count += 1.0;
-        }
+    for &place in places.iter().step_by(places.len().div_ceil(looked_at).max(1)) {
+        let (distance, length) = chain.distance(&draft.model.nodes, place);
+        signed += distance;
+        size += distance.abs();
+        lengths += length;
+        count += 1.0;
     }
     (signed.abs() > 1e-6 * size).then(|| (signed / count, lengths / count))
 }

@@ -123,6 +123,33 @@ fn the_overlap_goes_with_time() {
     }
 }
 
+/// Requirement: what an amplitude leaves of the overlap is taken away at the start of the next step, with the
+/// work that this takes: p = E d/2 in the end, and energies balance. Tolerance: as above.
+#[test]
+fn what_a_step_leaves_goes_with_the_next() {
+    let overlap = 1e-4;
+    for ((in_space, kind), shrink) in ALL.into_iter().flat_map(|case| [(case, true), (case, false)])
+    {
+        let up = if in_space { 3 } else { 2 };
+        let card = if shrink { ", SHRINK" } else { "" };
+        let value = if shrink { "" } else { ", 1.0E-4" };
+        let deck = format!(
+            "{}*AMPLITUDE, NAME=A\n0.0, 1.0, 1.0, 0.4\n*SURFACE INTERACTION, NAME=I\n\
+             *CONTACT PAIR, INTERACTION=I, TYPE={kind}\nUPPER, LOWER\n*STEP\n*STATIC, DIRECT\n\
+             0.25, 1.0\n*BOUNDARY\nLOW, 1, {up}\nHIGH, 1, {up}\n\
+             *CONTACT INTERFERENCE{card}, AMPLITUDE=A\nUPPER, LOWER{value}\n*END STEP\n\
+             *STEP\n*STATIC, DIRECT\n0.5, 1.0\n*END STEP\n",
+            mesh(in_space, -overlap)
+        );
+        let curve = solved(&deck);
+        for (force, part) in curve.force.iter().zip([0.15, 0.3, 0.45, 0.6, 1.0, 1.0]) {
+            let off = force[up - 1] / (500.0 * overlap * part) - 1.0;
+            assert!(off.abs() < 1e-3, "{kind} {in_space} {shrink}: {force:?}, {part}");
+        }
+        assert!(curve.balance < 1e-8, "{kind} {in_space} {shrink}: {}", curve.balance);
+    }
+}
+
 /// Requirement: left while the overlap goes and continued, a job ends where it would have: to the
 /// bit.
 #[test]

@@ -55,6 +55,29 @@ fn energy_balances_where_a_pair_comes_back_overclosed() {
     }
 }
 
+/// Requirement: a pair that is absent from the first step on, and comes overclosed by d with friction, carries
+/// N = E A d/2 and brings its work. In space, over faces, the program fell: no faces had been placed.
+#[test]
+fn a_pair_may_come_first_in_a_later_step() {
+    let overlap = 1e-4;
+    for (in_space, kind) in ALL {
+        let up = if in_space { 3 } else { 2 };
+        let change =
+            |what: &str| format!("*MODEL CHANGE, TYPE=CONTACT PAIR, {what}\nUPPER, LOWER\n");
+        let deck = format!(
+            "{}*SURFACE INTERACTION, NAME=I\n*FRICTION\n0.3\n*CONTACT PAIR, INTERACTION=I, TYPE={kind}\n\
+             UPPER, LOWER\n{STEP}*BOUNDARY\nLOW, 1, {up}\nHIGH, 1, {up}\n{}*END STEP\n{STEP}{}*END STEP\n",
+            mesh(in_space, -overlap),
+            change("REMOVE"),
+            change("ADD")
+        );
+        let curve = solved(&deck);
+        let force = curve.force.last().unwrap()[up - 1];
+        assert!((force / (500.0 * overlap) - 1.0).abs() < 1e-3, "{kind} {in_space}: {force}");
+        assert!(curve.balance < 1e-9, "{kind} {in_space}: {}", curve.balance);
+    }
+}
+
 /// Requirement: a run that ends without its pair has a report; where rows of closed points are gone
 /// the contact file was cut, and there is none.
 #[test]

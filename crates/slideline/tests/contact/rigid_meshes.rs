@@ -91,6 +91,36 @@ fn rigid_lines_are_analytical_surfaces() {
     assert!(!codes(&below).contains(&"SL0331".to_owned()), "a named side is kept");
 }
 
+/// Requirement: a rigid line or plate of no named side turns the one to a block that the block is on, not the one
+/// that its nodes are on: also where these lie exactly on it, or beyond it.
+#[test]
+fn blocks_are_on_the_side_of_their_solids() {
+    let line = |element: &str, rigid: &str, y: f64, side: &str| {
+        let ledge = format!(
+            "*NODE\n201, .1, {y:?}\n202, 2.3, {y:?}\n203, 4.1, {y:?}\n*ELEMENT, TYPE={rigid}, ELSET=L\n\
+             11, 201, 202\n12, 202, 203\n*SURFACE, NAME=R\nL{side}\n*RIGID BODY, ELSET=L, REF NODE=300\n"
+        );
+        run(&plane(element, &ledge, "SURFACE TO SURFACE"))
+    };
+    let plate = |z: f64, side: &str| {
+        let plate = format!(
+            "*NODE\n221, -.2, -.3, {z:?}\n222, 1.7, -.2, {z:?}\n223, 1.6, 4.1, {z:?}\n224, -.1, 4., {z:?}\n\
+             225, 5., 1.5, {z:?}\n*ELEMENT, TYPE=R3D4, ELSET=L\n11, 221, 222, 223, 224\n\
+             *ELEMENT, TYPE=R3D3, ELSET=L\n12, 222, 225, 223\n*SURFACE, NAME=R\nL{side}\n\
+             *RIGID BODY, ELSET=L, REF NODE=300\n"
+        );
+        run(&space(&plate, &pair("SURFACE TO SURFACE")))
+    };
+    for height in [0.0, 0.01] {
+        for (element, rigid) in [("CPE4", "R2D2"), ("CAX4", "RAX2")] {
+            let [named, open] = [", SPOS", ""].map(|side| line(element, rigid, height, side));
+            compare(&named, &open, &format!("{element} {height}"));
+        }
+        let [named, open] = [", SPOS", ""].map(|side| plate(height, side));
+        compare(&named, &open, &format!("plate {height}"));
+    }
+}
+
 /// A block that is pressed on a plate, which is then moved and tilted.
 fn space(plate: &str, contact: &str) -> String {
     format!(

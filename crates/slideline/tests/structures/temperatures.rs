@@ -6,7 +6,9 @@
 
 use crate::heat::{Watch, run};
 use slideline::model::{ElementType, TYPES, types};
+use slideline::{Job, Quiet, ReadOptions, RunOptions, Status};
 use std::fmt::Write as _;
+use std::path::Path;
 
 const YOUNG: f64 = 200.0;
 const EXPANSION: f64 = 2e-3;
@@ -350,6 +352,31 @@ fn the_energy_of_heat_balances() {
     let last = watch.energies.last().unwrap();
     assert!(last.thermal_work > 0.05 && last.strain_energy > 0.1, "{last:?}");
     assert!(last.balance.abs() < 1e-12 * last.strain_energy, "{last:?}");
+}
+
+/// Requirement: bodies that follow heat freely hold no energy and are not warned of any: what is left of the
+/// work of heat is of the order of the strain of an increment, times the energy that heat adds and the
+/// motion takes back. With large displacements, in the plane and of rings, hot and cold.
+#[test]
+fn free_bodies_miss_no_energy_of_heat() {
+    for (kind, to) in ["CPS8", "CAX8"].into_iter().flat_map(|kind| [(kind, -90.), (kind, 200.)]) {
+        let text = mesh(kind, [3, 2], [1.0, 3.0, 1.0])
+            + &format!(
+                "*ELSET, ELSET=E\nROW0, ROW1\n*SOLID SECTION, ELSET=E, MATERIAL=M\n*MATERIAL, NAME=M\n\
+                 *ELASTIC\n2e5, 0.3\n*EXPANSION\n1.2e-5\n*NSET, NSET=ALL, ELSET=E\n\
+                 *STEP, NLGEOM\n*STATIC\n0.25, 1.0\n*BOUNDARY\n1, {}, 2\n{}*TEMPERATURE\nALL, {to}\n\
+                 *END STEP\n",
+                if kind == "CAX8" { 2 } else { 1 },
+                if kind == "CAX8" { "" } else { "7, 2\n" },
+            );
+        let read = Job::read_text("free", &text, &ReadOptions::default());
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("free_heat");
+        let options = RunOptions { folder: Some(folder), ..RunOptions::default() };
+        let outcome = slideline::run(&read, &options, &mut Quiet);
+        assert_eq!(outcome.status, Status::Completed, "{kind} {:#?}", outcome.diagnostics);
+        let warned = outcome.diagnostics.iter().find(|said| said.code.0 == "SL0604");
+        assert!(warned.is_none(), "{kind} {to}: {warned:#?}");
+    }
 }
 
 /// Requirement: temperatures run straight over a step, follow amplitudes, stay with OP=MOD and go

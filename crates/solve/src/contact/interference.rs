@@ -10,31 +10,53 @@
 
 use super::before::Before;
 use super::master::MasterSurface;
-use super::pairs::{Allowance, Contact, SlavePoint};
+use super::pairs::{Allowance, Contact, Course, SlavePoint};
 use super::positions::MasterPositions;
 use super::segment::{SEGMENT_POINTS, SlaveSegment};
 use crate::state::{PointState, State};
 use slideline_mech::contact::pair::Body;
-use slideline_model::{Allowed, Model, Step};
+use slideline_model::{Allowed, Interference, Model};
 
 impl Allowance {
     /// Part of what is allowed at a time of a step of that length [1].
     fn factor(&self, time: f64, period: f64) -> f64 {
-        match &self.amplitude {
-            Some(amplitude) => amplitude.at(time),
-            None => 1.0 - (time / period).min(1.0),
+        match &self.course {
+            Course::Straight => 1.0 - (time / period).min(1.0),
+            Course::Curve(amplitude) => amplitude.at(time),
+            Course::Left(part) if time <= 0.0 => *part,
+            Course::Left(_) => 0.0,
         }
     }
 }
 
+/// The interferences of a step, and those of the step before of which something is left where this one
+/// says nothing of their pair.
+pub(super) fn allowed_in(model: &Model, step: usize) -> Vec<(&Interference, Course)> {
+    let amplitude = |own: &Interference| model.amplitudes.get(own.amplitude?);
+    let here = &model.steps[step].interferences;
+    let course = |own| amplitude(own).cloned().map_or(Course::Straight, Course::Curve);
+    let own = here.iter().map(|own| (own, course(own)));
+    let before = step.checked_sub(1).map(|before| &model.steps[before]);
+    let left = before.into_iter().flat_map(|before| {
+        let alone =
+            before.interferences.iter().filter(|own| here.iter().all(|new| new.pair != own.pair));
+        alone.filter_map(|own| {
+            let part = amplitude(own)?.at(before.procedure.period);
+            (part != 0.0).then_some((own, Course::Left(part)))
+        })
+    });
+    own.chain(left).collect()
+}
+
 impl Contact {
-    /// Takes the interferences of a step of a model with so many dofs.
-    pub(super) fn take_interferences(&mut self, (model, dofs): (&Model, usize), step: &Step) {
-        if step.interferences.is_empty() {
+    /// Takes the interferences of a step of a model with so many dofs, and what the step before leaves.
+    pub(super) fn take_interferences(&mut self, (model, dofs): (&Model, usize), step: usize) {
+        let interferences = allowed_in(model, step);
+        if interferences.is_empty() {
             return;
         }
         let overlap = self.first_overlap(dofs);
-        for own in &step.interferences {
+        for (own, course) in interferences {
             let allowed = |place: usize| match own.allowed {
                 Allowed::Initial => overlap[place].max(0.0),
                 Allowed::Value(value) => value,
@@ -43,11 +65,10 @@ impl Contact {
                 |point: &SlavePoint| point.pair == own.pair && !point.is_integration_point();
             let places = (0..self.points.len()).filter(|&place| has_own(&self.points[place]));
             let points = places.map(|place| (place, allowed(place))).collect();
-            let amplitude = own.amplitude.and_then(|place| model.amplitudes.get(place)).cloned();
             let (pair, allowed, before, now) = (own.pair, own.allowed, 0.0, 0.0);
-            self.allowances.push(Allowance { pair, allowed, points, before, now, amplitude });
+            self.allowances.push(Allowance { pair, allowed, points, before, now, course });
         }
-        self.allow((0.0, 0.0), step.procedure.period);
+        self.allow((0.0, 0.0), model.steps[step].procedure.period);
     }
 
     /// The overclosures of the undeformed model [L].

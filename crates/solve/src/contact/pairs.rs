@@ -31,8 +31,19 @@ pub(super) struct Allowance {
     pub before: f64,
     /// And at its end [1].
     pub now: f64,
-    /// How they change over the step; without one straight to zero.
-    pub amplitude: Option<Amplitude>,
+    /// How they change over the step.
+    pub course: Course,
+}
+
+/// How an overclosure that is allowed changes over a step.
+#[derive(Clone, Debug)]
+pub(super) enum Course {
+    /// Straight to zero.
+    Straight,
+    /// With an amplitude.
+    Curve(Amplitude),
+    /// The step before has left this part of it [1]; it is taken away at once.
+    Left(f64),
 }
 
 /// What of a pair does not meet.

@@ -8,6 +8,7 @@
 //! ```
 
 use super::before::Before;
+use super::interference::allowed_in;
 use super::kinematics::ContactKinematics;
 use super::laws::{friction, mean_length, normal};
 use super::master::MasterSurface;
@@ -29,18 +30,19 @@ pub struct Released {
 
 impl Contact {
     /// The contact of a step of a model with so many dofs.
-    pub fn of_step(&self, (model, dofs): (&Model, usize), step: &Step) -> Cow<'_, Self> {
+    pub fn of_step(&self, (model, dofs): (&Model, usize), place: usize) -> Cow<'_, Self> {
+        let step = &model.steps[place];
         let presence = &step.presence;
         let is_whole = presence.absent_pairs.is_empty();
         let same_laws = step.frictions.is_empty() && step.pressures.is_empty();
-        if is_whole && same_laws && step.interferences.is_empty() {
+        if is_whole && same_laws && allowed_in(model, place).is_empty() {
             return Cow::Borrowed(self);
         }
         let mut own = self.clone();
         own.change_pressure(model, step);
         own.change_friction(model, step);
         own.take_bonds();
-        own.take_interferences((model, dofs), step);
+        own.take_interferences((model, dofs), place);
         for (pair, _) in self.masters.iter().enumerate() {
             if !presence.has_pair(self.parent(pair)) {
                 own.masters[pair] = MasterSurface::Nothing;

@@ -14,7 +14,7 @@ mod part;
 mod search;
 
 use super::analysis::{Analysis, Left};
-use crate::account::rounding;
+use crate::account::{rounding, unsure};
 use crate::books::{Books, Sudden};
 use crate::newton::Scratch;
 use crate::newton::recall_points;
@@ -76,11 +76,11 @@ impl Analysis<'_> {
             return Ok(());
         }
         let books = self.committed.books;
-        let rounding = rounding(plan, self.committed);
-        let much = MUCH * books.turned_over + rounding;
+        let unsure = unsure(plan, self.committed);
+        let much = MUCH * books.turned_over + unsure;
         let said = if books.unbalanced() > much {
             unbalanced(plan, &books)
-        } else if books.missed() > MISSED && books.sudden.missed > rounding {
+        } else if books.missed() > MISSED && books.sudden.missed > unsure {
             stepped_over(plan, &books)
         } else {
             return Ok(());

@@ -57,10 +57,7 @@ impl Analysis<'_> {
         let mut force = vec![0.0; self.plan.dofs.len()];
         let removed = self.exerted((before, start), &change.removed, |dof, f| force[dof] -= f);
         let removed = removed.map_err(|failed| self.collapsed(number, &failed))?;
-        let contact = self
-            .values
-            .contact
-            .of_step((self.model, self.plan.dofs.len()), &self.model.steps[before]);
+        let contact = self.values.contact.of_step((self.model, self.plan.dofs.len()), before);
         let held = contact.release(&change.pairs, (&mut *self.committed, -1.0), &mut force);
         self.begin_elements(&change.begun, start);
         self.judge_beginnings(number, start)?;

@@ -71,7 +71,8 @@ impl Analysis<'_> {
     pub(super) fn judge_stabilisation(&mut self, plan: &Problem<'_>) -> Result<(), Left> {
         let energy = &self.committed.energy;
         let stored = energy.of_the_model() + energy.friction_dissipation;
-        let all = energy.external_work.abs().max(stored);
+        // what heat adds and free motions take back goes through the run too
+        let all = energy.external_work.abs().max(stored) + self.committed.books.heat;
         if energy.stabilisation.abs() <= MUCH * all {
             return Ok(());
         }

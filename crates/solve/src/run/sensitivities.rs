@@ -97,7 +97,7 @@ impl Analysis<'_> {
     fn locate(&mut self, number: usize) {
         let Model { steps, .. } = self.model;
         let contact = &self.values.contact;
-        let contact = contact.of_step((self.model, self.plan.dofs.len()), &steps[number - 1]);
+        let contact = contact.of_step((self.model, self.plan.dofs.len()), number - 1);
         let before = number.checked_sub(2).map(|before| &steps[before].presence);
         let mut kinematics = contact.nowhere();
         let places = (&mut MasterPositions::default(), &mut kinematics);

@@ -95,7 +95,7 @@ impl Analysis<'_> {
     ) -> Result<(), Left> {
         let (model, plan, values) = (self.model, self.plan, self.values);
         let step = &model.steps[number - 1];
-        let contact = &*values.contact.of_step((model, plan.dofs.len()), step);
+        let contact = &*values.contact.of_step((model, plan.dofs.len()), number - 1);
         // where an element cannot begin, that was said before the step
         let own = self.own_kernels(step, &start.references).ok().flatten();
         let kernels = own.as_ref().unwrap_or(&values.kernels);

@@ -99,7 +99,7 @@ impl<'a> Surroundings<'a> {
         start: &'a Start<'static>,
     ) -> Self {
         let step = &model.steps[target.step - 1];
-        let contact = values.contact.of_step((model, base.dofs.len()), step);
+        let contact = values.contact.of_step((model, base.dofs.len()), target.step - 1);
         let times = (time, target.step_time);
         let contact = match contact.at(times, step.procedure.period) {
             Some(changed) => Cow::Owned(changed),

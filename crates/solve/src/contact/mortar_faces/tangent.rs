@@ -8,6 +8,7 @@
 //! docs/theory.md section 5.11 and eq. (5.29)
 
 use super::super::kinematics::{ContactKinematics, GeometryScratch, PointRows};
+use super::super::master::MasterSurface;
 use super::super::pairs::Contact;
 use super::place::FaceRoom;
 use super::rooms::{FaceMortarRooms, FaceScratch};
@@ -41,6 +42,10 @@ impl Contact {
         mut add: impl FnMut(&[usize], &[f64]),
     ) {
         for (mortar, rooms) in self.face_mortars.iter().zip(&kinematics.face_mortars) {
+            // a pair that is absent has placed no faces
+            if matches!(self.masters[mortar.pair], MasterSurface::Nothing) {
+                continue;
+            }
             let at = At { contact: self, mortar };
             for face in 0..mortar.faces.len() {
                 let acting = mortar.faces[face].points.map(|point| {
