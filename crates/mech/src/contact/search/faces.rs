@@ -10,9 +10,9 @@
 //! [docs/theory.md, section 5.9]
 
 use super::tree::{Bounds, BoxTree};
-use crate::surface::mesh::{FaceMesh, PlacedFace};
+use crate::surface::mesh::{FaceMesh, PlacedFace, is_crease};
 use crate::surface::patch::Patch;
-use crate::vector::{Vector, add, dot, scale, size, sub};
+use crate::vector::{Vector, add, cross, dot, scale, size, sub};
 
 /// A tree over the faces of a surface.
 pub type FaceTree = BoxTree<3>;
@@ -42,10 +42,14 @@ impl FacePlace {
 const WAY: usize = 16;
 /// Part of a face by which a point may stand beyond its edge and still belong to it: where it stood
 /// there at the last commit, so that no iteration goes to and fro between two faces, or where both
-/// faces refuse it [1]. Of the slave's face where that is shorter and the normal leaps at the edge.
+/// faces refuse it [1].
 const SEAM: f64 = 0.05;
-/// The same where the other face turns away: from there a node is pushed farther to its side.
+/// How far a point beyond an edge at which the normal leaps may stand from the other face, over the size of the
+/// face, or of the slave's where that is shorter [1]: where that turns away, from where a node is pushed farther to
+/// its side.
 const RIDGE: f64 = 0.005;
+/// The same in a valley, where each face pushes the point to the other one.
+const VALLEY: f64 = 0.02;
 /// Newton iterations of a projection.
 const ITERATIONS: usize = 40;
 
@@ -169,16 +173,26 @@ pub(super) fn keep(
     let (edge, beyond) = beyond(patch.corners(), at);
     let allowed = match mesh.neighbour(face, edge) {
         Some(_) if mesh.is_smoothed_at(face, edge) => SEAM,
-        Some(other) => {
-            let part = if mesh.turns_away(face, other, positions) { RIDGE } else { SEAM };
-            part * (mesh.slave / mesh.size(face, positions)).min(1.0)
-        }
+        Some(other) => seam(mesh, positions, [face, other]),
         None => extension.max(super::INSIDE),
     };
     let (tangents, _) = patch.frame(&place)?;
     let room = SEAM * size(tangents[0]).max(size(tangents[1]));
     let distance = size(sub(point, patch.position(&place.value)));
     (beyond <= allowed && distance <= nearest + room).then_some(FacePlace { face, at })
+}
+
+/// Part of a face by which a point keeps it beyond the edge to another one with a normal of its own [1]. At creases
+/// the faces of the slave tell which side a node meets ([`super::sharp_faces`]).
+fn seam(mesh: &FaceMesh, positions: &[Vector], [face, other]: [usize; 2]) -> f64 {
+    let shorter = (mesh.slave / mesh.size(face, positions)).min(1.0);
+    let normals = [face, other].map(|own| mesh.normal(own, positions));
+    if is_crease(normals[0], normals[1]) {
+        return SEAM * shorter;
+    }
+    let turn = size(cross(normals[0], normals[1]));
+    let apart = if mesh.turns_away(face, other, positions) { RIDGE } else { VALLEY };
+    if apart * shorter < SEAM * turn { apart * shorter / turn } else { SEAM }
 }
 
 /// The edge that a place lies farthest beyond, and by how much of the face [1].
