@@ -63,13 +63,14 @@ fn measures(summary: &Value, energies: Option<&Energies>, first: Option<&Stroke>
     let strains = ["fibre_strain", "principal_strain"];
     let strains = strains.iter().filter_map(|key| summary.get(key)?.number("max"));
     let rounding = summary.number("energy_rounding").unwrap_or_default();
+    let unsure = summary.number("energy_unsure").unwrap_or_default().max(rounding);
     // a stroke that works no more than that has forces of rounding, and no peak
     let first = first.filter(|own| size(own) > rounding);
     let peaks = first.map(|own| [own.push, own.pull]).into_iter().flatten().flatten();
     RunMeasures {
         unfinished: unfinished(summary),
         pair_imbalance: imbalance.into_iter().flatten().reduce(worse),
-        energy: energies.and_then(|energies| out_of_balance(energies, rounding)),
+        energy: energies.and_then(|energies| out_of_balance(energies, unsure)),
         noise: driven(summary)
             .iter()
             .filter_map(|driven| {

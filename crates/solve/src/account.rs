@@ -78,7 +78,7 @@ pub fn account(plan: &Problem<'_>, committed: &State, work: &Scratch, trial: &mu
         held: (before.of_the_model(), energy.of_the_model()),
         opening: friction.opening,
         opening_dissipation: friction.opening_dissipation,
-        heat: committed.books.heat + heat.taken_back,
+        heat: committed.books.heat + if plan.structure.nlgeom { heat.taken_back } else { 0.0 },
         ..committed.books
     };
     if committed.balance_origin.is_none() {

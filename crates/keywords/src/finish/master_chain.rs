@@ -231,9 +231,8 @@ fn choose_side(
     };
     let ends = [chain.nodes.first(), chain.nodes.last()];
     let [from, to] = ends.map(|node| node.map_or(0, |&node| draft.model.nodes.label(node)));
-    let message = format!(
-        "{master} turns {side} to {slave}, where most of its nodes are: from {from} to {to}"
-    );
+    let message =
+        format!("{master} turns {side} to the side where {slave} is: from {from} to {to}");
     let note = Diagnostic::note(Code("SL0330"), message).at(pairing.master.span);
     let help = "a face label on the data line of *SURFACE, SPOS or SNEG, overrides this";
     draft.log.push(note.help(help));

@@ -20,6 +20,13 @@ const ONWARD: f64 = 0.25;
 const FLAT: f64 = 1e-3;
 /// Cosine of the angle from which on an edge lies across another one: 25 degrees.
 const ASIDE: f64 = 0.906;
+/// Cosine of the angle up to which an edge is the next one: 41 degrees.
+const ALONG: f64 = 0.75;
+/// Turn of an edge across over that of an edge, from which on it hides that [1]: more than the root of two, which the
+/// edges between chamfers at right angles have.
+const ACROSS: f64 = 1.5;
+/// The same where it belongs to something round [1]: but for rounding the same.
+const SAME: f64 = 0.999;
 
 /// Faces that are joined at their edges.
 pub(super) struct Joints<'a> {
@@ -97,14 +104,23 @@ struct Turns<'a, P> {
 }
 
 impl<P: Fn(usize) -> Vector> Turns<'_, P> {
-    /// Whether the surface turns at an edge more than both faces turn across it: faces that lie askew on something
-    /// round turn a little, and to either side.
+    /// Whether the surface turns at an edge nearly as much as both faces turn across it, and less only where what is
+    /// across is drawn too, as where chamfers meet: faces that lie askew on something round turn a little, and to
+    /// either side.
     fn leads(&self, side: Side) -> bool {
         let Turn { along, angle } = self.turn(side);
-        let is_across = |other: &&Turn| dot(other.along, along).abs() < ASIDE;
+        let turn = angle.abs();
+        let hides = |other: Side| {
+            let Turn { along: way, angle } = self.turn(other);
+            let (is_across, across) = (dot(way, along).abs() < ASIDE, angle.abs());
+            is_across
+                && (across >= ACROSS * turn || (across >= SAME * turn && self.is_round(other)))
+        };
         let both = [Some(side), self.joints.behind(side)].into_iter().flatten();
-        let mut across = both.flat_map(|side| &self.turns[side.face]).filter(is_across);
-        angle.abs() > FLAT && across.all(|other| other.angle.abs() < angle.abs())
+        let mut others = both.flat_map(|Side { face, .. }| {
+            (0..self.joints.corners(face)).map(move |edge| Side { face, edge })
+        });
+        turn > FLAT && !others.any(hides)
     }
 
     /// Whether an edge is one of three or more at which the surface turns, one after the other.
@@ -119,9 +135,14 @@ impl<P: Fn(usize) -> Vector> Turns<'_, P> {
         self.turns[face][edge]
     }
 
-    /// The far side of the edge beyond a face at which the surface turns on most, to the same side: one at the
-    /// corners of the face that do not belong to the edge where it begins.
+    /// Where the surface turns on beyond a face, to the same side: the far side of the edge there at which it turns most,
+    /// or, about the tip of a triangle, the face beyond that.
     fn onward(&self, from: Side) -> Option<Side> {
+        self.onward_at_edges(from).or_else(|| self.onward_about_tip(from))
+    }
+
+    /// An edge at the corners of the face that do not belong to the edge where it begins.
+    fn onward_at_edges(&self, from: Side) -> Option<Side> {
         let Turn { along, angle } = self.turn(from);
         let corners = self.joints.corners(from.face);
         let apart = (0..corners).filter(|&k| k != from.edge && k != (from.edge + 1) % corners);
@@ -131,15 +152,40 @@ impl<P: Fn(usize) -> Vector> Turns<'_, P> {
             let count = self.joints.corners(face);
             [corner, (corner + count - 1) % count].map(|edge| Side { face, edge })
         });
-        let most = sides.map(|side| {
+        let most = sides.filter_map(|side| {
             let Turn { along: other, angle: next } = self.turn(side);
-            (next * angle.signum() * dot(other, along).abs(), side)
+            let part = dot(other, along).abs();
+            (part >= ALONG).then_some((next * angle.signum() * part, side))
         });
         let (turn, found) = most.max_by(|a, b| a.0.total_cmp(&b.0))?;
         let far = |side: &Side| size(sub(self.middle(side.face), self.middle_of_edge(from)));
         let sides = [Some(found), self.joints.behind(found)].into_iter().flatten();
         let farthest = sides.max_by(|a, b| far(a).total_cmp(&far(b)));
         farthest.filter(|_| turn > ONWARD * angle.abs())
+    }
+
+    /// A face about the tip of a triangle that shares no node with its foot: round tips are fans, whose faces turn
+    /// a little each, and much over the tip.
+    fn onward_about_tip(&self, from: Side) -> Option<Side> {
+        let Joints { faces, around, normals, .. } = self.joints;
+        let nodes = &faces[from.face].nodes;
+        if self.joints.corners(from.face) != 3 {
+            return None;
+        }
+        let Turn { along, angle } = self.turn(from);
+        let foot = [nodes[from.edge], nodes[(from.edge + 1) % 3]];
+        let is_beyond = |face: usize| !foot.iter().any(|node| faces[face].nodes.contains(node));
+        let at_tip = around[&nodes[(from.edge + 2) % 3]].iter();
+        let beyond = at_tip.filter(|(face, _)| is_beyond(*face)).filter_map(|&(face, corner)| {
+            let edge_on = (corner + 1) % self.joints.corners(face);
+            let [a, b] = edge(&faces[face], edge_on).map(&self.position);
+            let part = (dot(sub(b, a), along) / size(sub(b, a))).abs();
+            let (own, other) = (normals[from.face], normals[face]);
+            let turn = dot(cross(other, own), along).atan2(dot(own, other)) * angle.signum();
+            (part >= ALONG).then_some((turn * part, Side { face, edge: edge_on }))
+        });
+        let (turn, found) = beyond.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        (turn > ONWARD * angle.abs()).then_some(found)
     }
 
     fn middle(&self, face: usize) -> Vector {
@@ -263,6 +309,72 @@ mod tests {
                 net([n / 2, n], is_halved, skewed),
             ];
             assert_eq!(meshes.each_ref().map(drawn), [0; 5], "{n} {is_halved}");
+        }
+    }
+
+    /// Faces through given places, moved, turned and scaled.
+    fn solid(
+        places: &[Vector],
+        faces: &[&[usize]],
+        turned: f64,
+        unit: f64,
+    ) -> (Vec<MeshFace>, Vec<Vector>) {
+        let (s, c) = turned.sin_cos();
+        let at = |&[x, y, z]: &Vector| [c * x - s * y + 0.1, s * x + c * y, z].map(|x| unit * x);
+        let face = |nodes: &&[usize]| MeshFace {
+            cell: if nodes.len() == 3 { &TRI3 } else { &QUAD4 },
+            nodes: nodes.to_vec(),
+        };
+        (faces.iter().map(face).collect(), places.iter().map(at).collect())
+    }
+
+    /// Requirement: all edges of pyramids and of pads with chamfers around are drawn, however they stand.
+    #[test]
+    fn pyramids_and_pads_are_drawn() {
+        let ring = |size: f64, z: f64| {
+            [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]
+                .map(|[x, y]| [size * x, size * y, z])
+        };
+        for slope in [5.0_f64, 20.0, 30.0] {
+            let fall = slope.to_radians().tan();
+            for (turned, unit) in [(0.0, 1.0), (0.1, 1.0), (0.3, 1e3), (0.7, 1e-3)] {
+                let mut places = vec![[0.0, 0.0, 0.0]];
+                places.extend(ring(1.0, -fall));
+                let hips: &[&[usize]] = &[&[1, 2, 0], &[2, 3, 0], &[3, 4, 0], &[4, 1, 0]];
+                assert_eq!(drawn(&solid(&places, hips, turned, unit)), 8, "{slope} {turned}");
+                let mut places = ring(1.0, -fall).to_vec();
+                places.extend(ring(0.5, -0.5 * fall));
+                let pad: &[&[usize]] =
+                    &[&[4, 5, 6, 7], &[0, 1, 5, 4], &[1, 2, 6, 5], &[2, 3, 7, 6], &[3, 0, 4, 7]];
+                assert_eq!(drawn(&solid(&places, pad, turned, unit)), 16, "{slope} {turned}");
+            }
+        }
+    }
+
+    /// Requirement: round tips of triangles about a pole have no ridges.
+    #[test]
+    fn round_tips_have_no_ridges() {
+        for (count, rings) in [12, 16, 24].into_iter().flat_map(|n| [(n, 2), (n, 3), (n, 5)]) {
+            let (mut places, mut faces) = (vec![[0.0, 0.0, 1.0]], Vec::new());
+            let node = |ring: usize, k: usize| {
+                if ring == 0 { 0 } else { 1 + (ring - 1) * count + k % count }
+            };
+            for ring in 1..=rings {
+                let polar = 0.5 * PI * ring as f64 / rings.max(3) as f64;
+                for k in 0..count {
+                    let round = TAU * k as f64 / count as f64;
+                    places.push([
+                        polar.sin() * round.cos(),
+                        polar.sin() * round.sin(),
+                        polar.cos(),
+                    ]);
+                    let [a, b] = [node(ring, k), node(ring, k + 1)];
+                    let [c, d] = [node(ring - 1, k), node(ring - 1, k + 1)];
+                    faces.push(if ring == 1 { vec![a, b, 0] } else { vec![a, b, d, c] });
+                }
+            }
+            let faces: Vec<&[usize]> = faces.iter().map(|own| &own[..]).collect();
+            assert_eq!(drawn(&solid(&places, &faces, 0.2, 1.0)), 0, "{count} {rings}");
         }
     }
 

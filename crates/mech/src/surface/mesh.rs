@@ -14,13 +14,13 @@
 use super::axes::{Bearing, axis, bearing_of_axis};
 use super::drawn_edges::Joints;
 pub use super::edges::{MeshFace, area_between, is_crease, nodes_at_ends, surface_ends};
-use super::edges::{area, ends, faces_around, neighbours, normal};
+use super::edges::{area, edge, ends, faces_around, neighbours, normal};
 use super::patch::{MOST_CORNERS, MOST_NODES, Patch};
 use super::star::{Corner, Star, StarNormal};
 use super::swept::Swept;
 use crate::axes::Axes;
 use crate::element::cell::QUAD4;
-use crate::vector::{Vector, add, dot, scale, size, sub};
+use crate::vector::{Vector, add, cross, dot, scale, size, sub};
 use std::collections::HashMap;
 
 /// What follows from the way in which faces are joined.
@@ -219,6 +219,15 @@ impl FaceMesh {
     /// Size of a face: the root of its area [L].
     pub fn size(&self, face: usize, positions: &[Vector]) -> f64 {
         size(area(&self.faces[face], |node| positions[node])).sqrt()
+    }
+
+    /// How far a face reaches from an edge of it: between the middles of two opposite edges, or the height of a
+    /// triangle [L].
+    pub fn across(&self, face: usize, own: usize, positions: &[Vector]) -> f64 {
+        let [a, b] = edge(&self.faces[face], own).map(|node| positions[node]);
+        let (along, aside) = (sub(b, a), sub(self.middle(face, positions), a));
+        let parts = if self.faces[face].cell.faces.len() == 3 { 3.0 } else { 2.0 };
+        parts * size(cross(along, aside)) / size(along)
     }
 
     /// Whether some neighbours meet at a crease.

@@ -49,6 +49,8 @@ pub(crate) struct Memory {
     pub(super) unstable: Largest,
     /// The most that rounding may have made of energies [F L].
     pub(super) energy_rounding: f64,
+    /// The most that energies which do not balance say nothing by [F L].
+    pub(super) energy_unsure: f64,
 }
 
 impl Memory {
@@ -56,6 +58,7 @@ impl Memory {
     /// rounding may have made of energies.
     pub fn say(&self, object: &mut Value, pairs: &[String]) {
         object["energy_rounding"] = json!(self.energy_rounding);
+        object["energy_unsure"] = json!(self.energy_unsure);
         let own = [
             ("mises", self.mises),
             ("plastic_strain", self.plastic),

@@ -19,7 +19,7 @@ type Profile<'a> = &'a [[f64; 2]];
 
 const ROOF: Profile<'_> = &[[-1.6, -0.3], [0.05, 0.0], [1.6, -0.25]];
 const VALLEY: Profile<'_> = &[[-1.6, 0.2], [0.05, -0.07], [1.6, 0.2]];
-const CHAMFER: Profile<'_> = &[[-1.6, -0.5], [-0.25, 0.0], [0.2, 0.0], [1.6, -0.7]];
+const CHAMFER: Profile<'_> = &[[-1.6, -0.5], [-0.28, 0.0], [0.21, 0.0], [1.6, -0.7]];
 
 /// The places of a profile with `faces` faces a side.
 fn divided(profile: Profile<'_>, faces: usize) -> Vec<[f64; 2]> {

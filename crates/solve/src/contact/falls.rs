@@ -70,11 +70,11 @@ impl Face {
         let middle = mean(self.corners.iter().copied());
         self.corners.iter().map(move |&corner| {
             let way = sub(corner, middle).map(|own| self.part * own);
-            let Some(normal) = level else { return way };
+            let Some(normal) = level.filter(|own| dot(*own, *own) > 0.0) else { return way };
             let share = dot(way, normal) / dot(normal, normal);
             let across: [f64; 3] = std::array::from_fn(|axis| way[axis] - share * normal[axis]);
             let longer = size(way) / size(across);
-            across.map(|own| longer * own)
+            if longer.is_finite() { across.map(|own| longer * own) } else { way }
         })
     }
 

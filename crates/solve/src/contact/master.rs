@@ -180,7 +180,8 @@ impl MasterSurface {
                 None => return MasterSurface::Nothing,
             },
         };
-        mesh.slave = slave;
+        // nodes alone have no faces
+        mesh.slave = if slave > 0.0 { slave } else { f64::INFINITY };
         let nodes = labels.iter().map(|node| (at(node), dofs.translations(*node))).collect();
         let itself = faces.meets_itself.then(|| Box::new(OwnFaces::new(&mesh, &reference)));
         MasterSurface::Faces { mesh, nodes, offset, extension: faces.extension, itself }

@@ -47,6 +47,8 @@ pub struct Frame<'a> {
     pub energy: Energies,
     /// What rounding alone may make of energies [F L].
     pub energy_rounding: f64,
+    /// What energies that do not balance say nothing: rounding, and what the work of heat is not known by [F L].
+    pub energy_unsure: f64,
 }
 
 /// The state in which an attempt was given up, for viewing: no equilibrium.

@@ -1,6 +1,6 @@
 //! What observers are shown of a state: rows, counts, the frame about them.
 
-use crate::account::unsure;
+use crate::account::{rounding, unsure};
 use crate::balance::Sum;
 use crate::heaviest::Measured;
 use crate::newton::Outcome;
@@ -123,6 +123,7 @@ pub(super) fn frame<'a>(
         beams: &rows.beams,
         elements: &rows.elements,
         energy: state.energy,
-        energy_rounding: unsure(plan, state),
+        energy_rounding: rounding(plan, state),
+        energy_unsure: unsure(plan, state),
     }
 }

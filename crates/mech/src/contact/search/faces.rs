@@ -44,9 +44,8 @@ const WAY: usize = 16;
 /// there at the last commit, so that no iteration goes to and fro between two faces, or where both
 /// faces refuse it [1].
 const SEAM: f64 = 0.05;
-/// How far a point beyond an edge at which the normal leaps may stand from the other face, over the size of the
-/// face, or of the slave's where that is shorter [1]: where that turns away, from where a node is pushed farther to
-/// its side.
+/// How far a point beyond an edge at which the normal leaps may stand from the other face, over the mean length of
+/// slave faces [1]: where that turns away, from where a node is pushed farther to its side.
 const RIDGE: f64 = 0.005;
 /// The same in a valley, where each face pushes the point to the other one.
 const VALLEY: f64 = 0.02;
@@ -173,7 +172,7 @@ pub(super) fn keep(
     let (edge, beyond) = beyond(patch.corners(), at);
     let allowed = match mesh.neighbour(face, edge) {
         Some(_) if mesh.is_smoothed_at(face, edge) => SEAM,
-        Some(other) => seam(mesh, positions, [face, other]),
+        Some(other) => seam(mesh, positions, (face, edge), other),
         None => extension.max(super::INSIDE),
     };
     let (tangents, _) = patch.frame(&place)?;
@@ -182,17 +181,20 @@ pub(super) fn keep(
     (beyond <= allowed && distance <= nearest + room).then_some(FacePlace { face, at })
 }
 
-/// Part of a face by which a point keeps it beyond the edge to another one with a normal of its own [1]. At creases
-/// the faces of the slave tell which side a node meets ([`super::sharp_faces`]).
-fn seam(mesh: &FaceMesh, positions: &[Vector], [face, other]: [usize; 2]) -> f64 {
-    let shorter = (mesh.slave / mesh.size(face, positions)).min(1.0);
+/// Part of a face by which a point keeps it beyond an edge to another one with a normal of its own [1], however many
+/// faces there are. At creases the faces of the slave tell which side a node meets ([`super::sharp_faces`]).
+fn seam(mesh: &FaceMesh, positions: &[Vector], (face, edge): (usize, usize), other: usize) -> f64 {
+    let shorter = mesh.slave / mesh.across(face, edge, positions);
     let normals = [face, other].map(|own| mesh.normal(own, positions));
-    if is_crease(normals[0], normals[1]) {
-        return SEAM * shorter;
-    }
-    let turn = size(cross(normals[0], normals[1]));
-    let apart = if mesh.turns_away(face, other, positions) { RIDGE } else { VALLEY };
-    if apart * shorter < SEAM * turn { apart * shorter / turn } else { SEAM }
+    let allowed = if is_crease(normals[0], normals[1]) {
+        SEAM * shorter
+    } else {
+        let turn = size(cross(normals[0], normals[1]));
+        let apart = if mesh.turns_away(face, other, positions) { RIDGE } else { VALLEY };
+        apart * shorter / turn
+    };
+    // f64::min passes over what is no number
+    allowed.min(SEAM)
 }
 
 /// The edge that a place lies farthest beyond, and by how much of the face [1].
