@@ -224,6 +224,7 @@ mod tests {
         assert!(out_of_balance(&nan, 0.5).unwrap().is_nan());
         assert_eq!(colour(&summary(""), Some(&plain)), "amber");
         assert_eq!(colour(&summary(",\"energy_rounding\":0.5"), Some(&plain)), "green");
+        assert_eq!(colour(&summary(",\"energy_unsure\":0.5"), Some(&plain)), "green");
         assert_eq!(colour(&summary(""), Some(&more)), "green");
     }
 

@@ -10,7 +10,7 @@ use crate::newton::Scratch;
 use crate::observe::results::{ContactRow, PairRow, Status};
 use crate::problem::Problem;
 use crate::state::{PointState, State};
-use slideline_mech::vector::cross;
+use slideline_mech::vector::{cross, size};
 use slideline_model::{Dof, NodeIndex};
 
 /// Fills a row for every pair of a state that was just committed; `closed`
@@ -193,11 +193,6 @@ fn forces_at(
         forces[1][axis] -= rubbed.sum::<f64>();
     }
     forces
-}
-
-/// Length of a vector.
-pub fn size(vector: [f64; 3]) -> f64 {
-    vector[0].hypot(vector[1]).hypot(vector[2])
 }
 
 /// Sums over the dofs that closed points act on, as the solver assembles

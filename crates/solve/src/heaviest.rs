@@ -9,13 +9,13 @@
 //!
 //! docs/theory.md section 5.20
 
-use crate::balance::size;
 use crate::contact::{FallsRoom, MissedAt};
 use crate::newton::Scratch;
 use crate::observe::results::PairRow;
 use crate::problem::Problem;
 use crate::state::State;
 use serde::{Deserialize, Serialize};
+use slideline_mech::vector::size;
 
 /// Force over that where a pair was measured from which on it is measured again [1].
 const MORE: f64 = 1.1;

@@ -9,7 +9,7 @@
 //!
 //! docs/theory.md section 5.9. (derived)
 
-use super::edges::{MeshFace, edge, is_crease};
+use super::edges::{MeshFace, edge, is_crease, middle};
 use super::patch::MOST_CORNERS;
 use crate::vector::{Vector, add, cross, dot, scale, size, sub};
 use std::collections::HashMap;
@@ -158,7 +158,10 @@ impl<P: Fn(usize) -> Vector> Turns<'_, P> {
             (part >= ALONG).then_some((next * angle.signum() * part, side))
         });
         let (turn, found) = most.max_by(|a, b| a.0.total_cmp(&b.0))?;
-        let far = |side: &Side| size(sub(self.middle(side.face), self.middle_of_edge(from)));
+        let [a, b] = edge(&self.joints.faces[from.face], from.edge).map(&self.position);
+        let begin = scale(add(a, b), 0.5);
+        let far =
+            |side: &Side| size(sub(middle(&self.joints.faces[side.face], &self.position), begin));
         let sides = [Some(found), self.joints.behind(found)].into_iter().flatten();
         let farthest = sides.max_by(|a, b| far(a).total_cmp(&far(b)));
         farthest.filter(|_| turn > ONWARD * angle.abs())
@@ -187,20 +190,6 @@ impl<P: Fn(usize) -> Vector> Turns<'_, P> {
         let (turn, found) = beyond.max_by(|a, b| a.0.total_cmp(&b.0))?;
         (turn > ONWARD * angle.abs()).then_some(found)
     }
-
-    fn middle(&self, face: usize) -> Vector {
-        let nodes = &self.joints.faces[face].nodes[..self.joints.corners(face)];
-        mean(nodes.iter().map(|&node| (self.position)(node)))
-    }
-
-    fn middle_of_edge(&self, Side { face, edge: own }: Side) -> Vector {
-        mean(edge(&self.joints.faces[face], own).into_iter().map(&self.position))
-    }
-}
-
-fn mean(places: impl ExactSizeIterator<Item = Vector>) -> Vector {
-    let count = places.len() as f64;
-    scale(places.fold([0.0; 3], add), 1.0 / count)
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@
 
 use super::patch::MOST_CORNERS;
 use crate::element::cell::Cell;
-use crate::vector::{Vector, cross, dot, scale, size, sub};
+use crate::vector::{Vector, add, cross, dot, scale, size, sub};
 use std::collections::HashMap;
 
 /// Cosine of the angle between two faces from which on their common edge stays sharp: 45 degrees.
@@ -126,6 +126,13 @@ pub fn area_between(corners: usize, at: impl Fn(usize) -> Vector) -> Vector {
 /// The area of a face between its corners, along its normal [L2].
 pub(super) fn area(face: &MeshFace, position: impl Fn(usize) -> Vector) -> Vector {
     area_between(face.cell.faces.len(), |k| position(face.nodes[k]))
+}
+
+/// The middle of the corners of a face [L].
+pub(super) fn middle(face: &MeshFace, position: impl Fn(usize) -> Vector) -> Vector {
+    let corners = face.cell.faces.len();
+    let sum = face.nodes[..corners].iter().fold([0.0; 3], |sum, &n| add(sum, position(n)));
+    scale(sum, 1.0 / corners as f64)
 }
 
 /// Unit normal in the middle of a face; zero of one without area.

@@ -14,7 +14,7 @@
 use super::axes::{Bearing, axis, bearing_of_axis};
 use super::drawn_edges::Joints;
 pub use super::edges::{MeshFace, area_between, is_crease, nodes_at_ends, surface_ends};
-use super::edges::{area, edge, ends, faces_around, neighbours, normal};
+use super::edges::{area, edge, ends, faces_around, middle, neighbours, normal};
 use super::patch::{MOST_CORNERS, MOST_NODES, Patch};
 use super::star::{Corner, Star, StarNormal};
 use super::swept::Swept;
@@ -198,10 +198,7 @@ impl FaceMesh {
 
     /// The middle of the corners of a face [L].
     pub fn middle(&self, face: usize, positions: &[Vector]) -> Vector {
-        let own = &self.faces[face];
-        let corners = own.cell.faces.len();
-        let sum = own.nodes[..corners].iter().fold([0.0; 3], |sum, &n| add(sum, positions[n]));
-        scale(sum, 1.0 / corners as f64)
+        middle(&self.faces[face], |node| positions[node])
     }
 
     /// Whether a face and a neighbour of it meet at a crease that stands out.

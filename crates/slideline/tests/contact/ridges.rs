@@ -97,3 +97,41 @@ fn few_faces_draw_the_same_roof() {
         assert!((spread[2] / expected[2] - 1.0).abs() < 0.08, "{what} {spread:?} {expected:?}");
     }
 }
+
+/// A rigid pyramid of four triangles under the block, or a pad with a chamfer around, turned about its axis.
+fn solid(is_pad: bool, turned: f64) -> String {
+    let (s, c) = f64::sin_cos(turned);
+    let ring = |first: usize, half: f64, z: f64| -> String {
+        let corners = [[-half, -half], [half, -half], [half, half], [-half, half]];
+        let line = |(k, [x, y]): (usize, [f64; 2])| {
+            format!("{}, {:?}, {:?}, {z:?}\n", first + k, c * x - s * y + 0.02, s * x + c * y)
+        };
+        corners.into_iter().enumerate().map(line).collect()
+    };
+    let faces = if is_pad {
+        "*ELEMENT, TYPE=R3D4, ELSET=ROOF\n901, 401, 402, 403, 404\n902, 301, 302, 402, 401\n\
+         903, 302, 303, 403, 402\n904, 303, 304, 404, 403\n905, 304, 301, 401, 404\n"
+    } else {
+        "*ELEMENT, TYPE=R3D3, ELSET=ROOF\n901, 301, 302, 310\n902, 302, 303, 310\n\
+         903, 303, 304, 310\n904, 304, 301, 310\n"
+    };
+    let inner = if is_pad { ring(401, 0.13, 0.0) } else { "310, 0.02, 0., 0.\n".to_owned() };
+    format!(
+        "*NODE\n300, 0., 0., -1.\n{}{inner}{faces}*SURFACE, NAME=LOWER\nROOF, SPOS\n*RIGID BODY, \
+         ELSET=ROOF, REF NODE=300\n",
+        ring(301, 1.2, -0.4)
+    )
+}
+
+/// Requirement: nothing of a pyramid and of a pad with a chamfer is smoothed, however they are turned: the force is that
+/// without smoothing. 1e-9 of it.
+#[test]
+fn pyramids_and_pads_are_met_as_they_are_drawn() {
+    for (is_pad, turned) in [(false, 0.0), (false, 0.1), (false, 0.3), (true, 0.0), (true, 0.3)] {
+        let forces = ["NODE TO SURFACE", "NODE TO SURFACE, SMOOTH=0."]
+            .map(|kind| force(&solid(is_pad, turned), [0.0, 0.03], kind));
+        for (a, b) in forces[0].iter().zip(forces[1]) {
+            assert!((a - b).abs() < 1e-9 * forces[1][2], "{is_pad} {turned} {forces:?}");
+        }
+    }
+}

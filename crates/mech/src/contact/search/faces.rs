@@ -171,6 +171,7 @@ pub(super) fn keep(
     let place = patch.place(at);
     let (edge, beyond) = beyond(patch.corners(), at);
     let allowed = match mesh.neighbour(face, edge) {
+        _ if beyond <= 0.0 => 0.0,
         Some(_) if mesh.is_smoothed_at(face, edge) => SEAM,
         Some(other) => seam(mesh, positions, (face, edge), other),
         None => extension.max(super::INSIDE),

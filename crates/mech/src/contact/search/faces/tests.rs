@@ -77,3 +77,46 @@ fn an_open_end_is_prolonged_as_far_as_asked() {
     assert!(faces(1.19, 0.0) && !faces(1.21, 0.0));
     assert!(faces(1.21, 0.1) && !faces(1.25, 0.1));
 }
+
+/// How far beyond the middle of a roof of two sides of length 1 [L] a point keeps the left one, by which it stood at
+/// the last commit; each has so many faces and falls by a slope, and slave faces are 0.1 long.
+fn kept(count: usize, slope: f64) -> f64 {
+    let columns = 2 * count + 1;
+    let along = slope.hypot(1.0);
+    let x = |i: usize| (i as f64 / count as f64 - 1.0) / along;
+    let node = |k: usize| [x(k % columns), (k / columns) as f64, -slope * x(k % columns).abs()];
+    let positions: Vec<Vector> = (0..2 * columns).map(node).collect();
+    let face =
+        |i: usize| MeshFace { cell: &QUAD4, nodes: vec![i, i + 1, i + 1 + columns, i + columns] };
+    let mut mesh = FaceMesh::new((0..2 * count).map(face).collect(), &positions, true);
+    mesh.slave = 0.1;
+    let (tree, left) = (tree(&mesh, &positions), count - 1);
+    let keeps = |beyond: f64| {
+        let point = [beyond / along, 0.5, slope * beyond / along];
+        let at = (point, 0.0, Some(left));
+        closest(&mesh, &positions, &tree, at, &mut { PlacedFace::EMPTY }).unwrap().face == left
+    };
+    let (mut low, mut high) = (0.0, 0.5);
+    while high - low > 1e-9 {
+        let middle = 0.5 * (low + high);
+        if keeps(middle) { low = middle } else { high = middle }
+    }
+    low
+}
+
+/// Requirement: beyond a ridge or a valley that is drawn as it is a point keeps its face up to a part of the slave's face from the
+/// other one, however many faces draw the sides; beyond an edge between faces of a plane up to a part of the face.
+#[test]
+fn what_a_point_keeps_does_not_depend_on_the_number_of_faces() {
+    for count in [1, 3] {
+        for slope in [0.1_f64, 0.2, 0.4] {
+            let sine = (2.0 * slope.atan()).sin();
+            for (slope, apart) in [(slope, RIDGE), (-slope, VALLEY)] {
+                let expected = (apart * 0.1 / sine).min(SEAM / count as f64);
+                let found = kept(count, slope);
+                assert!((found - expected).abs() < 1e-7, "{count} {slope}: {found} {expected}");
+            }
+        }
+        assert!((kept(count, 0.0) - SEAM / count as f64).abs() < 1e-7, "{count}");
+    }
+}
