@@ -29,7 +29,7 @@ pub fn chain_gap<O: Order>(
         PieceKind::Corner => {
             let before = k.checked_sub(1)?;
             let control = [at(before)?, at(k)?, at(k + 1)?];
-            let f = chain.smoothing;
+            let f = chain.corner_fraction();
             let (a1, a2) = (f * chain.reference_length(before), f * chain.reference_length(k));
             let along = Along::corner(chain.arc_coordinate(k), a1, a2, xi);
             let weights = Weights::corner(xi, f);
@@ -64,7 +64,7 @@ pub fn chain_overclosure(
                 let over = overclosure(point, &[a, b, c].map(flat), &weights);
                 return Some([over?, along.value]);
             }
-            let f = chain.smoothing;
+            let f = chain.corner_fraction();
             let (before, behind) = (f * length(piece.index - 1), f * length(piece.index));
             let node = chain.arc_coordinate(piece.index);
             let weights = Weights::corner(xi, f);

@@ -8,11 +8,19 @@
 //! ```
 //!
 //! With smoothing the pieces join with a common tangent, so that no point near the chain lacks a
-//! facing piece. Without it a point in the wedge at a node faces the nearer of the two straight parts,
-//! each taken as prolonged to the bisector: the gap stays continuous, its normal jumps there.
+//! facing piece. Without it a point in the wedge at a ridge faces the nearer of the two straight parts,
+//! each taken as prolonged to the bisector: the gap stays continuous, its normal jumps there. A valley is
+//! rounded over next to nothing: each of its segments pushes a node to the other one, and what holds it
+//! has a normal between theirs.
 
 use super::tree::{Bounds, BoxTree};
 use super::{INSIDE, Point, TIE, cross, dot, project_line, project_quadratic, sub};
+
+/// Part of both segments over which a valley of a chain without smoothing is rounded [1]: two hundred thousandths of
+/// what an arc rises over its chords.
+const VALLEY: f64 = 1e-5;
+/// Turn up to which a ridge counts as a valley [rad]: what is flat turns to and fro by its strains.
+const FLAT: f64 = 1e-3;
 
 /// A tree over the segments of a chain.
 pub type ChainTree = BoxTree<2>;
@@ -330,7 +338,8 @@ impl Chain {
         index: usize,
         best: &mut Option<Candidate>,
     ) {
-        let straight = self.straight(positions, point, index);
+        let range = self.range(positions, index);
+        let straight = self.straight_within(positions, point, (index, range));
         let corner = self.corner(positions, point, index);
         for candidate in [straight, corner].into_iter().flatten() {
             if better(&candidate, best.as_ref()) {
@@ -369,15 +378,23 @@ impl Chain {
     }
 
     /// Range of the straight part's parameter.
-    fn range(&self, index: usize) -> (f64, f64) {
-        let low = if index == 0 { -self.extension } else { self.smoothing };
+    fn range(&self, positions: &[[f64; 3]], index: usize) -> (f64, f64) {
+        let low = if index == 0 { -self.extension } else { self.cut(positions, index) };
         let last = index + 1 == self.lengths.len();
-        let high = if last { 1.0 + self.extension } else { 1.0 - self.smoothing };
-        (low, high)
+        let beyond = if last { self.extension } else { -self.cut(positions, index + 1) };
+        (low, 1.0 + beyond)
     }
 
-    fn straight(&self, positions: &[[f64; 3]], point: Point, index: usize) -> Option<Candidate> {
-        self.straight_within(positions, point, (index, self.range(index)))
+    /// Part of both segments that the corner at a node between them takes [1]: nothing of a ridge that is
+    /// not smoothed.
+    pub(super) fn cut(&self, positions: &[[f64; 3]], node: usize) -> f64 {
+        let is_drawn = self.smoothing <= 0.0 && !is_valley(positions, node);
+        if is_drawn { 0.0 } else { self.corner_fraction() }
+    }
+
+    /// The same of a corner that there is.
+    pub fn corner_fraction(&self) -> f64 {
+        if self.smoothing > 0.0 { self.smoothing } else { VALLEY }
     }
 
     /// The straight part `index` for a point, in this range of its parameter; beyond it only in the
@@ -404,7 +421,7 @@ impl Chain {
     }
 
     /// Whether a point outside the range of a straight part lies in the wedge at its node, on this
-    /// side of the bisector. Only without smoothing.
+    /// side of the bisector. Only where there is no corner.
     fn in_wedge(
         &self,
         positions: &[[f64; 3]],
@@ -412,11 +429,11 @@ impl Chain {
         index: usize,
         (before, outside): (bool, f64),
     ) -> bool {
-        if self.smoothing > 0.0 {
-            return false;
-        }
         let neighbour = if before { index.checked_sub(1) } else { Some(index + 1) };
         let Some(neighbour) = neighbour.filter(|&n| n < self.lengths.len()) else { return false };
+        if self.cut(positions, index.max(neighbour)) > 0.0 {
+            return false;
+        }
         let (a, b) = (flat(positions[neighbour]), flat(positions[neighbour + 1]));
         let Some(parameter) = project_line(a, b, point) else { return false };
         let length = dot(sub(b, a), sub(b, a)).sqrt();
@@ -432,7 +449,7 @@ impl Chain {
     ) -> Option<[Point; 3]> {
         let at = |node: usize| positions.get(node).copied().map(flat);
         let (a, x, b) = (at(index.checked_sub(1)?)?, at(index)?, at(index + 1)?);
-        let f = self.smoothing;
+        let f = self.corner_fraction();
         let toward = |p: Point| [x[0] + f * (p[0] - x[0]), x[1] + f * (p[1] - x[1])];
         Some([toward(a), x, toward(b)])
     }
@@ -444,7 +461,7 @@ impl Chain {
         point: Point,
         index: usize,
     ) -> Option<Candidate> {
-        if self.smoothing <= 0.0 || index == 0 {
+        if index == 0 || self.cut(positions, index) == 0.0 {
             return None;
         }
         let control = self.corner_control(positions, index)?;
@@ -457,6 +474,14 @@ impl Chain {
         let piece = Piece { index, kind: PieceKind::Corner, parameter: s };
         Some(Candidate { piece, distance: apart[0].hypot(apart[1]), outside: 0.0 })
     }
+}
+
+/// Whether a chain turns to its outside, which is on its left, or hardly at all, at a node between its
+/// ends.
+fn is_valley(positions: &[[f64; 3]], node: usize) -> bool {
+    let [before, here, behind] = [node - 1, node, node + 1].map(|node| flat(positions[node]));
+    let ways = (sub(here, before), sub(behind, here));
+    cross(ways.0, ways.1) > -FLAT * dot(ways.0, ways.1).abs()
 }
 
 /// The node nearest to a point, where the search begins.

@@ -234,7 +234,7 @@ impl Itself {
             return None;
         }
         let mut best: Option<Candidate> = None;
-        let straight = chain.straight_within(positions, point, (part, self.range(chain, part)));
+        let straight = chain.straight_within(positions, point, (part, self.range((chain, positions), part)));
         let straight = straight.filter(|found| self.is_joined(found));
         let corner = match self.is_corner(part) && !self.is_neighbour(seat, part - 1) {
             true => chain.corner(positions, point, part),
@@ -256,10 +256,12 @@ impl Itself {
     }
 
     /// Range of the parameter of a straight part: up to its corners, and beyond an open end.
-    fn range(&self, chain: &Chain, part: usize) -> (f64, f64) {
-        let end = |is_joined: bool| if is_joined { chain.smoothing } else { -chain.extension };
+    fn range(&self, (chain, positions): (&Chain, &[[f64; 3]]), part: usize) -> (f64, f64) {
+        let end = |is_joined: bool, node: usize| {
+            if is_joined { chain.cut(positions, node) } else { -chain.extension }
+        };
         let behind = self.parts.get(part + 1).is_some_and(|&next| next != Part::Gap);
-        (end(self.is_corner(part)), 1.0 - end(behind))
+        (end(self.is_corner(part), part), 1.0 - end(behind, part + 1))
     }
 
     /// Whether a straight part that is met beyond its end has a neighbour there.
