@@ -184,7 +184,9 @@ impl SurfacePoints {
 fn reversed(start: &Start<'_>, pair: &ContactPair, line: &SlideLine) -> String {
     let mut text = format!(
         "*SLIDE LINE, TYPE=LINEAR, ELSET={}, SMOOTH={:?}, EXTENSION ZONE={:?}\n",
-        pair.name, line.smooth, line.extension
+        pair.name,
+        line.smooth.unwrap_or(0.0),
+        line.extension
     );
     let nodes: Vec<String> =
         line.nodes.iter().rev().map(|&node| start.model.nodes.name(node).to_string()).collect();

@@ -135,7 +135,8 @@ pub(crate) struct Pairing {
     pub master: Named,
     pub interaction: Named,
     pub formulation: Formulation,
-    pub smooth: f64,
+    /// `SMOOTH`, where it is given or the dialect has a value for it.
+    pub smooth: Option<f64>,
     pub extension: f64,
     /// Whether the first surface stands alone: it meets itself.
     pub alone: bool,

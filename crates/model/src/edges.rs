@@ -25,10 +25,6 @@ use std::collections::{HashMap, HashSet};
 /// Cosine of the turn of a surface from which on an edge is sharp [1]: 45 degrees.
 const SHARP: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
-/// Fraction of each segment that the parabola of a corner takes, so that an edge does not stand in a valley
-/// that it presses itself [1]: what `SMOOTH` is for contact at nodes.
-const SMOOTH: f64 = 0.2;
-
 impl Model {
     /// Finds the sharp edges of its pairs of solids anew.
     pub fn find_edges(&mut self) {
@@ -136,7 +132,7 @@ pub fn nodes_at_creases(
 fn as_met_by_nodes(master: &Master) -> Master {
     match master {
         Master::SlideLine(line) => {
-            Master::SlideLine(SlideLine { middles: Vec::new(), smooth: SMOOTH, ..line.clone() })
+            Master::SlideLine(SlideLine { middles: Vec::new(), smooth: None, ..line.clone() })
         }
         Master::Faces(faces) => {
             Master::Faces(MasterFaces { smooth: faces.swept.is_none(), ..faces.clone() })
@@ -157,7 +153,7 @@ fn surfaces_of_slave(
             // a master has its material on the right of its way, a slave on the left
             nodes.reverse();
             turn_seam_away(&mut nodes, met_by, &at);
-            let (middles, smooth, extension) = (Vec::new(), SMOOTH, 0.0);
+            let (middles, smooth, extension) = (Vec::new(), None, 0.0);
             Master::SlideLine(SlideLine { nodes, middles, smooth, extension, origin })
         };
         return runs(&pair.elements).into_iter().map(line).collect();

@@ -122,8 +122,9 @@ pub struct SlideLine {
     pub nodes: Vec<NodeIndex>,
     /// Which of them are middle nodes of faces with three nodes, where that matters; empty: none.
     pub middles: Vec<bool>,
-    /// `SMOOTH`: fraction of each segment taken by the corner's parabola [1].
-    pub smooth: f64,
+    /// `SMOOTH`: fraction of each segment taken by the corner's parabola [1]; `None`: it is not given, and
+    /// the line is drawn through its nodes where it is round.
+    pub smooth: Option<f64>,
     /// `EXTENSION ZONE`: prolongation of the end segments, as a fraction of
     /// their length [1].
     pub extension: f64,

@@ -188,7 +188,9 @@ fn settings(model: &Model) -> Value {
     for pair in &model.contact_pairs {
         if let Master::SlideLine(chain) = &pair.master {
             let card = format!("*SLIDE LINE {}", pair.name);
-            list.number(&card, "SMOOTH", chain.smooth, 0.0);
+            if let Some(smooth) = chain.smooth {
+                list.number(&card, "SMOOTH", smooth, 0.0);
+            }
             list.number(&card, "EXTENSION ZONE", chain.extension, 0.1);
         }
         let interaction = &pair.interaction;

@@ -46,7 +46,7 @@ fn adjust_pair(place: usize, model: &mut Model) -> Vec<Diagnostic> {
     }
     own.formulation = Formulation::NodeToSurface;
     match &mut own.master {
-        Master::SlideLine(line) => line.smooth = 0.0,
+        Master::SlideLine(line) => line.smooth = Some(0.0),
         Master::Faces(faces) => faces.smooth = false,
         Master::RigidSurface(_) | Master::Itself(_) => {}
     }

@@ -57,11 +57,10 @@ impl Keyword for ContactPair {
         }
         let formulation = formulation(card, draft);
         let adjust = adjust(card, &mut draft.log);
-        let default = match draft.dialect {
-            Dialect::Abaqus => DEFAULT_SMOOTH,
-            Dialect::Calculix => 0.0,
+        let smooth = match draft.dialect {
+            Dialect::Abaqus if !card.has("SMOOTH") => None,
+            _ => Some(smooth(card, 0.0, draft)),
         };
-        let smooth = smooth(card, default, draft);
         let extension = extension(card, draft);
         let Some(interaction) = card.named("INTERACTION") else { return };
         if card.first_line("slave surface, master surface", &mut draft.log).is_none() {
@@ -100,9 +99,6 @@ impl Keyword for ContactPair {
         }
     }
 }
-
-/// `SMOOTH` of a contact pair where it is absent (manual); faces of CalculiX stay as they are.
-const DEFAULT_SMOOTH: f64 = 0.2;
 
 /// A surface named at a place of a line; complains where it is missing.
 pub(super) fn surface(line: &DataLine, at: usize, what: &str, log: &mut Log) -> Option<Named> {

@@ -200,7 +200,7 @@ fn master(surface: &Surface, reference: Option<u64>, draft: &mut Draft) -> Optio
         Shape::Line { nodes, smooth, extension } => Some(Master::SlideLine(SlideLine {
             nodes: chain(nodes, surface, draft)?,
             middles: Vec::new(),
-            smooth: *smooth,
+            smooth: Some(*smooth),
             extension: *extension,
             origin: surface.origin,
         })),

@@ -31,8 +31,6 @@ const STIFFER: f64 = 10.0;
 const SAME: f64 = 1e-6;
 /// `EXTENSION ZONE` of the pairs, as of `*CONTACT PAIR` [1].
 const EXTENSION: f64 = 0.1;
-/// `SMOOTH` of the pairs likewise [1].
-const SMOOTH: f64 = 0.2;
 
 /// Makes pairs of general contact.
 pub(super) fn pairings(draft: &mut Draft) {
@@ -247,7 +245,7 @@ impl Made<'_> {
             master,
             interaction,
             formulation,
-            smooth: SMOOTH,
+            smooth: None,
             extension: EXTENSION,
             chain_parameter: None,
             adjust,

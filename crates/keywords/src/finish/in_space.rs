@@ -69,7 +69,7 @@ pub(super) fn lines_fit(
 
 /// Faces of solids as a master.
 pub(super) fn faces_of(pairing: &Pairing, sides: &Sides, faces: Vec<ContactFace>) -> MasterFaces {
-    let (smooth, extension) = (pairing.smooth > 0.0, pairing.extension);
+    let (smooth, extension) = (pairing.smooth != Some(0.0), pairing.extension);
     MasterFaces {
         faces,
         smooth,

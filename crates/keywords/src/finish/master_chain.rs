@@ -75,7 +75,7 @@ pub(super) fn slide_line(
     let smooth = match pairing.formulation {
         Formulation::NodeToSurface => pairing.smooth,
         // what is integrated needs no smooth corners
-        _ => 0.0,
+        _ => Some(0.0),
     };
     let is_ring = chain.nodes.first() == chain.nodes.last();
     // nothing lies beyond the ends of what goes all round

@@ -20,6 +20,9 @@ use crate::draft::Draft;
 use crate::rule::Subject;
 use crate::surfaces::{NamedSurface, Pairing};
 
+/// `SMOOTH` of a surface that meets itself where it is absent (manual) [1].
+const SMOOTH: f64 = 0.2;
+
 /// Slaves and master of a surface of faces of solids that meets itself.
 pub(super) fn own_surface(
     pairing: &Pairing,
@@ -55,7 +58,7 @@ pub(super) fn own_surface(
         }
     };
     say(pairing, draft);
-    let (smooth, extension) = (pairing.smooth, pairing.extension);
+    let (smooth, extension) = (pairing.smooth.unwrap_or(SMOOTH), pairing.extension);
     let master = OwnSurface { runs, smooth, extension, origin: surface.origin };
     let slaves = Slaves { elements: between_nodes(&facets), ..Slaves::default() };
     Some((slaves, Master::Itself(master)))
@@ -72,7 +75,7 @@ fn in_space(
         return None;
     }
     say(pairing, draft);
-    let (smooth, extension) = (pairing.smooth > 0.0, pairing.extension);
+    let (smooth, extension) = (pairing.smooth != Some(0.0), pairing.extension);
     let (swept, meets_itself, origin) = (None, true, surface.origin);
     let slaves = Slaves { faces: faces.clone(), ..Slaves::default() };
     let master = MasterFaces { faces, smooth, extension, swept, meets_itself, origin };

@@ -200,12 +200,12 @@ fn massless_contact_is_at_nodes() {
 fn a_master_of_beams_has_its_defaults() {
     let model = model_of(NODES, &[]);
     let Master::SlideLine(line) = &only_pair(&model).master else { panic!("a chain") };
-    assert_eq!((line.smooth, line.extension), (0.2, 0.1));
+    assert_eq!((line.smooth, line.extension), (None, 0.1));
     let given =
         [("INTERACTION=SLIDING\nCAM", "INTERACTION=SLIDING, SMOOTH=0, EXTENSION ZONE=0.2\nCAM")];
     let model = model_of(NODES, &given);
     let Master::SlideLine(line) = &only_pair(&model).master else { panic!("a chain") };
-    assert_eq!((line.smooth, line.extension), (0.0, 0.2));
+    assert_eq!((line.smooth, line.extension), (Some(0.0), 0.2));
 }
 
 /// Semantics, surfaces: the outward normal stands 90 degrees counter-clockwise

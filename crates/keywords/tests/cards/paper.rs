@@ -89,7 +89,7 @@ fn the_isl_pair() {
     let Master::SlideLine(line) = &pair.master else { panic!("a slide line") };
     let labels: Vec<u64> = line.nodes.iter().map(|&node| model.nodes.label(node)).collect();
     assert_eq!(labels, (2..=25).collect::<Vec<u64>>());
-    assert_eq!((line.smooth, line.extension), (0.25, 0.1));
+    assert_eq!((line.smooth, line.extension), (Some(0.25), 0.1));
     let [_, dummy] = model.blocks.as_slice() else { panic!("two blocks") };
     assert_eq!(dummy.elements.len(), 30);
 }

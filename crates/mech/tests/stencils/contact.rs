@@ -57,7 +57,7 @@ fn initial_overclosure_of_the_1995_rigid_surface_decks() {
 #[test]
 fn initial_overclosure_of_the_1995_slide_line_deck() {
     let nodes = beam_nodes(25)[1..].to_vec();
-    let chain = Chain::new(&nodes, 0.25, 0.1).unwrap();
+    let chain = Chain::new(&nodes, Some(0.25), 0.1).unwrap();
     let at = |degrees: f64| {
         let (s, c) = degrees.to_radians().sin_cos();
         let point = [9e-3 * s, 45e-3 - 9e-3 * c, 0.0];
@@ -75,7 +75,7 @@ fn initial_overclosure_of_the_1995_slide_line_deck() {
 #[test]
 fn smoothed_chain_is_continuous() {
     let nodes = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.4], [3.5, 0.1]].map(raised);
-    let chain = Chain::new(&nodes, 0.3, 0.1).unwrap();
+    let chain = Chain::new(&nodes, Some(0.3), 0.1).unwrap();
     let mut last: Option<AnyGap> = None;
     for i in 0..20_000 {
         let x = 0.2 + f64::from(i) * 1.5e-4;
@@ -209,7 +209,7 @@ proptest! {
     fn chain_is_in_balance(j in prop::array::uniform8(-0.2..0.2_f64), p in (0.1..2.9_f64, -0.3..0.3_f64), f in 0.0..0.45_f64, slip in -0.1..0.1_f64) {
         let nodes = wavy(&j);
         let reference = wavy(&[0.0; 8]);
-        let chain = Chain::new(&reference, f, 0.1).unwrap();
+        let chain = Chain::new(&reference, Some(f), 0.1).unwrap();
         let point = [p.0, p.1, 0.0];
         if let Some(piece) = chain.closest(&nodes, Nearby::Positions, point) {
             let gap = chain_gap::<Quadratic>(&chain, &piece, &nodes, (point, Offset::NONE)).unwrap();
@@ -224,7 +224,7 @@ proptest! {
     #[test]
     fn chain_is_objective(j in prop::array::uniform8(-0.2..0.2_f64), p in (0.1..2.9_f64, -0.3..0.3_f64), f in 0.0..0.45_f64, turn in -3.0..3.0_f64) {
         let nodes = wavy(&j);
-        let chain = Chain::new(&wavy(&[0.0; 8]), f, 0.1).unwrap();
+        let chain = Chain::new(&wavy(&[0.0; 8]), Some(f), 0.1).unwrap();
         let (s, c) = turn.sin_cos();
         let moved = |x: [f64; 3]| [c * x[0] - s * x[1] + 0.3, s * x[0] + c * x[1] - 0.7, 0.0];
         let there: Vec<_> = nodes.iter().map(|x| moved(*x)).collect();
@@ -271,7 +271,7 @@ proptest! {
     /// Finite input never gives NaN: a gap has finite numbers or is `None`.
     #[test]
     fn no_nan(nodes in prop::collection::vec(prop::array::uniform3(prop::num::f64::NORMAL | prop::num::f64::ZERO), 4), point in prop::array::uniform3(-1e3..1e3_f64)) {
-        let chain = Chain::new(&wavy(&[0.0; 8]), 0.2, 0.1).unwrap();
+        let chain = Chain::new(&wavy(&[0.0; 8]), Some(0.2), 0.1).unwrap();
         if let Some(piece) = chain.closest(&nodes, Nearby::Positions, point)
             && let Some(gap) = chain_gap::<Quadratic>(&chain, &piece, &nodes, (point, Offset::NONE))
         {

@@ -418,6 +418,36 @@ proptest! {
         compare(&gap, &h, &s, 1.0);
     }
 
+    /// A curve through nodes as Bezier's cubic, whose inner points lie a third of the tangents from its ends.
+    #[test]
+    fn curve_through_nodes(p in prop::array::uniform2(-0.1..0.1_f64), j in prop::array::uniform8(-0.1..0.1_f64), own in 0..3_usize) {
+        let mut q = [0.0; 10];
+        q[..2].copy_from_slice(&[0.5 + own as f64 + p[0], 0.4 + p[1]]);
+        for (k, at) in j.into_iter().enumerate() {
+            q[2 + k] = at + if k % 2 == 0 { (k / 2) as f64 } else { 0.2 * (k / 2) as f64 };
+        }
+        let (middle, end) = ([-0.5, -0.2, 0.7, 0.0], [0.3, -1.1, 0.8, 0.0]);
+        let tangents = [middle, end];
+        let x = points(&Second::variables(&q));
+        let n = Second::<10>::from_f64;
+        let control: Vec<_> = (0..4).map(|k| [0, 1].map(|c| {
+            let third = |weights: [f64; 4]| (0..4).fold(n(0.0), |sum, i| sum + n(weights[i] / 3.0) * x[1 + i][c]);
+            match k {
+                0 => x[1 + own][c],
+                1 => x[1 + own][c] + third(middle),
+                2 => x[2 + own][c] - third(end),
+                _ => x[2 + own][c],
+            }
+        })).collect();
+        let (s, h) = formula(x[0], &control, 0.5);
+        let v = points(&q);
+        let xi = s.value;
+        let along = Along { value: 3.0 + 1.3 * xi, first: 1.3, second: 0.0 };
+        let nodes = [v[1], v[2], v[3], v[4]];
+        let gap: Gap<10> = point_to_curve(v[0], &nodes, &Weights::through(xi, own, &tangents), &along, xi).unwrap();
+        compare(&gap, &h, &(n(3.0) + n(1.3) * s), 1.0);
+    }
+
     #[test]
     fn circle(d in prop::array::uniform2(-2.0..2.0_f64), c in prop::array::uniform2(-1.0..1.0_f64), phi in -9.0..9.0_f64, convex: bool) {
         prop_assume!(d[0].hypot(d[1]) > 0.3);

@@ -42,7 +42,7 @@ const NODES: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [1.0, 0.1, 0.0], [2.1, 0.5, 0.0],
 
 /// Dofs: the slave's three, then two a node of the chain.
 fn on_chain(dofs: &[f64; 11]) -> Option<Seen> {
-    let chain = Chain::new(&NODES, 0.3, 0.0)?;
+    let chain = Chain::new(&NODES, Some(0.3), 0.0)?;
     let at = |k: usize| [NODES[k][0] + dofs[3 + 2 * k], NODES[k][1] + dofs[4 + 2 * k], 0.0];
     let positions = [0, 1, 2, 3].map(at);
     let point = [dofs[0], dofs[1], 0.0];

@@ -86,7 +86,7 @@ fn slide_line(nodes: Vec<NodeIndex>) -> Master {
     Master::SlideLine(SlideLine {
         nodes,
         middles: Vec::new(),
-        smooth: 0.2,
+        smooth: Some(0.2),
         extension: 0.1,
         origin: Span::default(),
     })

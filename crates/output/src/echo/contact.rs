@@ -82,10 +82,13 @@ fn master(model: &Model, master: &Master) -> String {
             number(surface.extension)
         ),
         Master::SlideLine(chain) => format!(
-            "slide line of {} nodes ({}), SMOOTH = {}, EXTENSION ZONE = {}",
+            "slide line of {} nodes ({}), {}, EXTENSION ZONE = {}",
             chain.nodes.len(),
             labels(model, &chain.nodes),
-            number(chain.smooth),
+            match chain.smooth {
+                Some(smooth) => format!("SMOOTH = {}", number(smooth)),
+                None => "drawn through its nodes where it is round".to_owned(),
+            },
             number(chain.extension)
         ),
     }

@@ -67,7 +67,9 @@ impl Contact {
             Facing::Surface(_) | Facing::Edges(_) => false,
             Facing::Face(place) => self.leaves_out(point, place.face),
             Facing::Piece(piece) => match piece.kind {
-                PieceKind::Straight => self.leaves_out(point, piece.index),
+                PieceKind::Straight | PieceKind::Curve { .. } => {
+                    self.leaves_out(point, piece.index)
+                }
                 PieceKind::Corner | PieceKind::Nose { .. } => {
                     let before = piece.index.checked_sub(1);
                     let of_both = before.into_iter().chain([piece.index]);

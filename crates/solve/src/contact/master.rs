@@ -14,6 +14,7 @@ use slideline_mech::contact::search::itself::{Itself, Placed, Run, listed};
 use slideline_mech::contact::search::outlook::Outlook;
 use slideline_mech::contact::search::own_faces::OwnFaces;
 use slideline_mech::contact::search::sharp;
+use slideline_mech::contact::search::through::CONTROLS;
 use slideline_mech::rigid::{Attachment, PointMap};
 use slideline_mech::surface::mesh::{FaceMesh, MeshFace};
 use slideline_model::{Master, MasterFaces, Model, NodeIndex, OwnSurface, SlideLine, SurfaceRun};
@@ -200,8 +201,9 @@ impl MasterSurface {
         match self {
             Self::Nothing => 0,
             Self::Body { dofs, .. } => dofs.len(),
-            Self::Line { nodes, .. } => {
-                3 * nodes.iter().map(|(_, dofs)| dofs.as_slice().len()).max().unwrap_or(0)
+            Self::Line { chain, nodes, .. } => {
+                let controls = if chain.is_drawn_through() { CONTROLS } else { 3 };
+                controls * nodes.iter().map(|(_, dofs)| dofs.as_slice().len()).max().unwrap_or(0)
             }
             // of the face, and of the one at the last commit
             Self::Faces { mesh, .. } => 2 * 3 * mesh.longest_stencil(),
@@ -295,7 +297,7 @@ impl MasterSurface {
                 let positions = positions.get(*offset..offset + nodes.len())?;
                 let point = (stencil.position, stencil.offset);
                 let gap = chain_gap(chain, piece, positions, point)?;
-                let mut control = [slave; 3];
+                let mut control = [slave; CONTROLS];
                 let facing = &nodes[piece.nodes()];
                 for (attachment, (_, dofs)) in control.iter_mut().zip(facing) {
                     let first = stencil.width();

@@ -7,11 +7,12 @@ use super::pairs::Contact;
 use super::positions::MasterPositions;
 use crate::state::PointState;
 use slideline_mech::contact::gap::Quadratic;
+use slideline_mech::contact::search::through::CONTROLS;
 use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::rigid::push_forward;
 
-/// The most kernel variables of a point in the plane: itself and three control points.
-const MOST_VARIABLES: usize = 8;
+/// The most kernel variables of a point in the plane: itself and what a curve through nodes follows.
+const MOST_VARIABLES: usize = 2 + 2 * CONTROLS;
 
 impl Contact {
     /// Tangent of the geometry of a point, normal * D dh + tangential *

@@ -183,7 +183,11 @@ impl Contact {
                 let ends = line.nodes.windows(2);
                 let lengths = ends.map(|ends| distance(model, [ends[0], ends[1]]));
                 chain.slave = slave;
-                chain.take(lengths, line.smooth, line.extension)
+                let whole = chain.take(lengths, line.smooth.unwrap_or(0.0), line.extension);
+                if line.smooth.is_none() {
+                    chain.round(line.nodes.iter().map(|&node| model.nodes.get(node).position));
+                }
+                whole
             }
             (MasterSurface::Faces { mesh, nodes, extension, itself, .. }, Master::Faces(faces)) => {
                 *extension = faces.extension;

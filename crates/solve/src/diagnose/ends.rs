@@ -115,7 +115,8 @@ fn line_end(model: &Model, line: &SlideLine, pair: &ContactPair, along: f64) -> 
     let known = nodes.len() == line.nodes.len() && line.extension >= extension;
     let card = (!known && pair.vocabulary == Vocabulary::Elements).then(|| {
         let head = format!("*SLIDE LINE, TYPE=LINEAR, ELSET={}", pair.name);
-        let mut text = format!("{head}, SMOOTH={}, EXTENSION ZONE={extension}\n", line.smooth);
+        let mut text =
+            format!("{head}, SMOOTH={}, EXTENSION ZONE={extension}\n", line.smooth.unwrap_or(0.0));
         let labels: Vec<String> = nodes.iter().map(|&n| model.nodes.name(n).to_string()).collect();
         for row in labels.chunks(16) {
             text.push_str(&row.join(", "));

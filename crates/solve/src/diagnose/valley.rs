@@ -27,7 +27,7 @@ impl Case<'_> {
             let pair = self.plan.pair_of(place);
             let Master::SlideLine(line) = &pair.master else { return None };
             let at = self.work.evaluation.kinematics.points()[place].position;
-            (line.smooth == 0.0)
+            (line.smooth == Some(0.0))
                 .then(|| self.bottom_at(line, at))
                 .flatten()
                 .map(|b| (point.node, b))

@@ -90,7 +90,7 @@ pub(crate) fn model(line: bool, offset: Offset) -> Model {
     let (elements, master) = if line {
         let nodes = beam.clone();
         let line =
-            SlideLine { nodes, middles: Vec::new(), smooth: 0.3, extension: 0.1, origin: AT };
+            SlideLine { nodes, middles: Vec::new(), smooth: Some(0.3), extension: 0.1, origin: AT };
         (pairs(&rim), Master::SlideLine(line))
     } else {
         let end = [4.2, 1.0];

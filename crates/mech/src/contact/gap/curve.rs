@@ -4,7 +4,7 @@
 //!                 x slave            straight segment   K = 2
 //!                 | g                smoothed corner    K = 3   quadratic Bezier, middle point X_k
 //!      X_0 -------+------- X_1       rigid parabola     K = 3
-//!                 xi                 cubic Bezier       K = 4
+//!                 xi                 through nodes      K = 4   cubic with a tangent at either end
 //! ```
 //!
 //! Variables: N = 2 + 2 K, ordered (slave x, y, X_0 x, y, X_1 x, y, ...).
@@ -105,6 +105,32 @@ impl Weights<4> {
             ],
             second: [6.0 * rest, 6.0 * xi - 12.0 * rest, 6.0 * rest - 12.0 * xi, 6.0 * xi],
             third: [-6.0, 18.0, -18.0, 6.0],
+        }
+    }
+}
+
+impl Weights<4> {
+    /// Cubic between the nodes `begin` and `begin` + 1 of four whose derivatives at these are the given weights of
+    /// the nodes, docs/theory.md section 5.3.
+    pub fn through(xi: f64, begin: usize, [from, to]: &[[f64; 4]; 2]) -> Self {
+        let blend = |[a, b, t0, t1]: [f64; 4]| {
+            let mut weights: [f64; 4] = std::array::from_fn(|k| t0 * from[k] + t1 * to[k]);
+            weights[begin] += a;
+            weights[begin + 1] += b;
+            weights
+        };
+        let (square, cube) = (xi * xi, xi * xi * xi);
+        let rise = 3.0 * square - 2.0 * cube;
+        Self {
+            value: blend([1.0 - rise, rise, xi - 2.0 * square + cube, cube - square]),
+            first: blend([
+                6.0 * (square - xi),
+                6.0 * (xi - square),
+                1.0 - 4.0 * xi + 3.0 * square,
+                3.0 * square - 2.0 * xi,
+            ]),
+            second: blend([12.0 * xi - 6.0, 6.0 - 12.0 * xi, 6.0 * xi - 4.0, 6.0 * xi - 2.0]),
+            third: blend([12.0, -12.0, 6.0, 6.0]),
         }
     }
 }

@@ -5,6 +5,7 @@ use super::super::gap::curve::{Along, Weights, overclosure};
 use super::super::gap::offset::Offset;
 use super::super::search::chain::{Chain, Piece, PieceKind, flat};
 use super::super::search::sharp::reach;
+use super::super::search::through::CONTROLS;
 use super::stencil::{AnyGap, StencilAttachments, curve_gap};
 use crate::rigid::Attachment;
 
@@ -25,6 +26,14 @@ pub fn chain_gap<O: Order>(
             let along = Along::straight(chain.arc_coordinate(k), chain.reference_length(k), xi);
             let weights = Weights::straight(xi);
             curve_gap((point, offset), &control, &weights, &along, xi).map(AnyGap::Straight)
+        }
+        PieceKind::Curve { first } => {
+            let control =
+                positions.get(first..first + CONTROLS)?.first_chunk::<CONTROLS>()?.map(flat);
+            let curve = chain.curve(k)?;
+            let along = Along::straight(chain.arc_coordinate(k), chain.reference_length(k), xi);
+            let weights = Weights::through(xi, curve.begin, &curve.tangents);
+            curve_gap((point, offset), &control, &weights, &along, xi).map(AnyGap::Cubic)
         }
         PieceKind::Corner => {
             let before = k.checked_sub(1)?;
@@ -71,6 +80,14 @@ pub fn chain_overclosure(
             (
                 overclosure(point, &[a, b, c].map(flat), &weights),
                 Along::corner(node, before, behind, xi),
+            )
+        }
+        [a, b, c, d] => {
+            let curve = chain.curve(piece.index)?;
+            let weights = Weights::through(xi, curve.begin, &curve.tangents);
+            (
+                overclosure(point, &[a, b, c, d].map(flat), &weights),
+                Along::straight(chain.arc_coordinate(piece.index), length(piece.index), xi),
             )
         }
         _ => return None,

@@ -17,6 +17,8 @@ pub enum AnyGap<O: Order = Quadratic> {
     Straight(Gap<6, O>),
     /// Corner or parabola: (slave, three control points).
     Curved(Gap<8, O>),
+    /// Curve through nodes: (slave, four nodes).
+    Cubic(Gap<10, O>),
 }
 
 /// Gap against a curve of a point, or of the surface that stands off it; see [`point_to_curve`].
@@ -39,6 +41,7 @@ macro_rules! each {
             AnyGap::Circle($gap) => $body,
             AnyGap::Straight($gap) => $body,
             AnyGap::Curved($gap) => $body,
+            AnyGap::Cubic($gap) => $body,
         }
     };
 }
@@ -109,14 +112,14 @@ pub struct Derivatives<'a> {
 /// Where the attachments of a stencil go, slave first.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StencilAttachments {
-    all: [Attachment; 4],
+    all: [Attachment; 5],
     count: usize,
 }
 
 impl StencilAttachments {
     /// That of the slave alone.
     pub(super) fn new(slave: Attachment) -> Self {
-        Self { all: [slave; 4], count: 1 }
+        Self { all: [slave; 5], count: 1 }
     }
 
     /// Takes one more in.

@@ -143,7 +143,7 @@ fn gaps_to_noses_are_distances_from_their_parabolas() {
     use super::super::search::outlook::Outlook;
     use super::super::search::sharp;
     let block = [[0.0, -1.5, 0.0], [0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, -1.0, 0.0]];
-    let mut chain = Chain::new(&block, 0.2, 0.1).unwrap();
+    let mut chain = Chain::new(&block, Some(0.2), 0.1).unwrap();
     chain.slave = 0.5;
     let mut outlook = Outlook::EVERYWHERE;
     outlook.add([0.0, -1.0, 0.0], 0.5);

@@ -1,4 +1,5 @@
-//! An open chain of master nodes, its corners smoothed, its ends prolonged.
+//! An open chain of master nodes, drawn through its nodes or with its corners smoothed, its ends
+//! prolonged.
 //!
 //! ```text
 //!                      . X_k .
@@ -7,12 +8,14 @@
 //!    extension  straight          straight   extension
 //! ```
 //!
-//! With smoothing the pieces join with a common tangent, so that no point near the chain lacks a
+//! Where nothing else is said, segments that are chords of something round are drawn as curves through
+//! their nodes ([`super::through`]). With smoothing the pieces join with a common tangent, so that no point near the chain lacks a
 //! facing piece. Without it a point in the wedge at a ridge faces the nearer of the two straight parts,
 //! each taken as prolonged to the bisector: the gap stays continuous, its normal jumps there. A valley is
 //! rounded over next to nothing: each of its segments pushes a node to the other one, and what holds it
 //! has a normal between theirs.
 
+use super::through::{CONTROLS, Curve, Through};
 use super::tree::{Bounds, BoxTree};
 use super::{INSIDE, Point, TIE, cross, dot, project_line, project_quadratic, sub};
 
@@ -21,6 +24,9 @@ use super::{INSIDE, Point, TIE, cross, dot, project_line, project_quadratic, sub
 const VALLEY: f64 = 1e-5;
 /// Turn up to which a ridge counts as a valley [rad]: what is flat turns to and fro by its strains.
 const FLAT: f64 = 1e-3;
+
+/// By how much farther than its nodes a curve may reach from one of them, in parts of the segment [1].
+const BULGE: f64 = 0.25;
 
 /// A tree over the segments of a chain.
 pub type ChainTree = BoxTree<2>;
@@ -66,6 +72,11 @@ pub enum PieceKind {
     /// Straight part between the nodes `index` and `index + 1`, extensions included; the parameter
     /// runs from 0 to 1 between the nodes.
     Straight,
+    /// The same as a curve, which follows the node `first` and three more.
+    Curve {
+        /// The first of its nodes.
+        first: usize,
+    },
     /// Smoothed corner at node `index`, on the nodes `index - 1`, `index`, `index + 1`.
     Corner,
     /// Nose at the sharp edge at node `index`, on the same nodes: it prolongs the straight part before
@@ -92,6 +103,7 @@ impl Piece {
     pub fn nodes(&self) -> std::ops::Range<usize> {
         match self.kind {
             PieceKind::Straight => self.index..self.index + 2,
+            PieceKind::Curve { first } => first..first + CONTROLS,
             PieceKind::Corner | PieceKind::Nose { .. } => {
                 self.index.saturating_sub(1)..self.index + 2
             }
@@ -102,7 +114,8 @@ impl Piece {
 /// The undeformed chain.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chain {
-    /// Fraction f of each segment cut off by the corners, 0 <= f < 0.5 (`SMOOTH`).
+    /// Fraction f of each segment cut off by the corners, 0 <= f < 0.5 (`SMOOTH`); zero where curves
+    /// pass through the nodes.
     pub smoothing: f64,
     /// Fraction of the end segments by which the ends are prolonged (`EXTENSION ZONE`).
     pub extension: f64,
@@ -110,6 +123,7 @@ pub struct Chain {
     pub slave: f64,
     lengths: Vec<f64>,
     arc: Vec<f64>,
+    through: Through,
 }
 
 /// A candidate: the piece, its distance, and how far its parameter lies outside [L].
@@ -120,9 +134,10 @@ pub(super) struct Candidate {
 }
 
 impl Chain {
-    /// The chain through the undeformed positions of its nodes, in order. `None` for fewer than two
-    /// nodes, a segment of zero length, or a fraction outside its range.
-    pub fn new(reference: &[[f64; 3]], smoothing: f64, extension: f64) -> Option<Self> {
+    /// The chain through the undeformed positions of its nodes, in order; without `smoothing` with curves
+    /// where it is round. `None` for fewer than two nodes, a segment of zero length, or a fraction outside
+    /// its range.
+    pub fn new(reference: &[[f64; 3]], smoothing: Option<f64>, extension: f64) -> Option<Self> {
         let lengths = reference.windows(2).map(|pair| {
             let d = sub(flat(pair[1]), flat(pair[0]));
             d[0].hypot(d[1])
@@ -130,7 +145,16 @@ impl Chain {
         if lengths.len() == 0 {
             return None;
         }
-        Self::of_lengths(lengths, smoothing, extension)
+        let mut chain = Self::of_lengths(lengths, smoothing.unwrap_or(0.0), extension)?;
+        if smoothing.is_none() {
+            chain.round(reference.iter().copied());
+        }
+        Some(chain)
+    }
+
+    /// Draws curves through these undeformed positions of the nodes, where they are round.
+    pub fn round(&mut self, reference: impl Iterator<Item = [f64; 3]> + Clone) {
+        self.through.draw(reference, &self.lengths);
     }
 
     /// The chain of segments of these undeformed lengths [L]. `None` as for [`Chain::new`].
@@ -146,11 +170,12 @@ impl Chain {
             slave: f64::INFINITY,
             lengths: Vec::with_capacity(segments),
             arc: Vec::with_capacity(segments + 1),
+            through: Through::default(),
         };
         chain.take(lengths, smoothing, extension).then_some(chain)
     }
 
-    /// Becomes the chain of segments of these undeformed lengths [L], in the room it has. False for
+    /// Becomes the chain of segments of these undeformed lengths [L], without curves, in the room it has. False for
     /// a segment of zero length or a fraction outside its range: then it is the chain of nothing.
     pub fn take(
         &mut self,
@@ -159,6 +184,7 @@ impl Chain {
         extension: f64,
     ) -> bool {
         (self.smoothing, self.extension) = (smoothing, extension.max(0.0));
+        self.through.clear();
         self.lengths.clear();
         self.lengths.extend(lengths);
         self.arc.clear();
@@ -339,9 +365,12 @@ impl Chain {
         best: &mut Option<Candidate>,
     ) {
         let range = self.range(positions, index);
-        let straight = self.straight_within(positions, point, (index, range));
+        let along = match self.curve(index) {
+            Some(curve) => self.curved(curve, positions, point, (index, range)),
+            None => self.straight_within(positions, point, (index, range)),
+        };
         let corner = self.corner(positions, point, index);
-        for candidate in [straight, corner].into_iter().flatten() {
+        for candidate in [along, corner].into_iter().flatten() {
             if better(&candidate, best.as_ref()) {
                 *best = Some(candidate);
             }
@@ -358,7 +387,8 @@ impl Chain {
         if let Some(before) = index.checked_sub(1) {
             reach = reach.max(square(positions[before]));
         }
-        (1.0 + self.extension) * reach.sqrt()
+        let bulge = if self.curve(index).is_some() { BULGE } else { 0.0 };
+        (1.0 + self.extension + bulge) * reach.sqrt()
     }
 
     /// Overclosure [L] that a point beyond an end would have against the straight line that prolongs
@@ -386,15 +416,45 @@ impl Chain {
     }
 
     /// Part of both segments that the corner at a node between them takes [1]: nothing of a ridge that is
-    /// not smoothed.
+    /// not smoothed, nor where a curve passes.
     pub(super) fn cut(&self, positions: &[[f64; 3]], node: usize) -> f64 {
-        let is_drawn = self.smoothing <= 0.0 && !is_valley(positions, node);
+        let is_drawn =
+            self.smoothing <= 0.0 && (self.through.is_joined(node) || !is_valley(positions, node));
         if is_drawn { 0.0 } else { self.corner_fraction() }
     }
 
     /// The same of a corner that there is.
     pub fn corner_fraction(&self) -> f64 {
         if self.smoothing > 0.0 { self.smoothing } else { VALLEY }
+    }
+
+    /// Whether curves through its nodes take the place of segments where it is round.
+    pub fn is_drawn_through(&self) -> bool {
+        self.through.is_drawn()
+    }
+
+    /// The curve in place of the segment `index`.
+    pub fn curve(&self, index: usize) -> Option<&Curve> {
+        self.through.curve(index)
+    }
+
+    /// The curve in place of the straight part `index` for a point, in this range of its parameter; beyond it
+    /// the straight part, in the wedge at a ridge.
+    fn curved(
+        &self,
+        curve: &Curve,
+        positions: &[[f64; 3]],
+        point: Point,
+        (index, range): (usize, (f64, f64)),
+    ) -> Option<Candidate> {
+        let Some(parameter) = curve.project(positions, point, range) else {
+            let beyond = self.straight_within(positions, point, (index, range))?;
+            return (beyond.outside > 0.0).then_some(beyond);
+        };
+        let (place, _) = curve.place(positions, parameter);
+        let apart = sub(point, place);
+        let piece = Piece { index, kind: PieceKind::Curve { first: curve.first }, parameter };
+        Some(Candidate { piece, distance: apart[0].hypot(apart[1]), outside: 0.0 })
     }
 
     /// The straight part `index` for a point, in this range of its parameter; beyond it only in the
@@ -431,7 +491,8 @@ impl Chain {
     ) -> bool {
         let neighbour = if before { index.checked_sub(1) } else { Some(index + 1) };
         let Some(neighbour) = neighbour.filter(|&n| n < self.lengths.len()) else { return false };
-        if self.cut(positions, index.max(neighbour)) > 0.0 {
+        let node = index.max(neighbour);
+        if self.through.is_joined(node) || self.cut(positions, node) > 0.0 {
             return false;
         }
         let (a, b) = (flat(positions[neighbour]), flat(positions[neighbour + 1]));

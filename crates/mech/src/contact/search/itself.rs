@@ -234,7 +234,8 @@ impl Itself {
             return None;
         }
         let mut best: Option<Candidate> = None;
-        let straight = chain.straight_within(positions, point, (part, self.range((chain, positions), part)));
+        let straight =
+            chain.straight_within(positions, point, (part, self.range((chain, positions), part)));
         let straight = straight.filter(|found| self.is_joined(found));
         let corner = match self.is_corner(part) && !self.is_neighbour(seat, part - 1) {
             true => chain.corner(positions, point, part),

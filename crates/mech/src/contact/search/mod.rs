@@ -23,6 +23,7 @@ pub mod sharp_faces;
 pub mod sharp_rigid;
 pub mod sweep;
 pub mod swept;
+pub mod through;
 pub mod tree;
 
 type Point = [f64; 2];

@@ -101,8 +101,8 @@ impl About<'_> {
                 _ => None,
             },
             PieceKind::Nose { .. } => None,
-            PieceKind::Straight if self.meets(found.index) => None,
-            PieceKind::Straight => {
+            PieceKind::Straight | PieceKind::Curve { .. } if self.meets(found.index) => None,
+            PieceKind::Straight | PieceKind::Curve { .. } => {
                 let sides = [self.edge(found.index, false), self.edge(found.index, true)];
                 let found = sides.into_iter().flatten();
                 let nearer = |a: &(f64, Piece), b: &(f64, Piece)| a.0.total_cmp(&b.0);
@@ -202,7 +202,7 @@ mod tests {
         [[0.0, -1.0, 0.0], [0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, -1.0, 0.0]];
 
     fn facing(at: [f64; 2], normals: &[Vector]) -> Option<(usize, PieceKind)> {
-        let mut chain = Chain::new(&BLOCK, 0.2, 0.1)?;
+        let mut chain = Chain::new(&BLOCK, Some(0.2), 0.1)?;
         chain.slave = 1.0;
         let mut outlook = Outlook::EVERYWHERE;
         normals.iter().for_each(|&normal| outlook.add(normal, 1.0));

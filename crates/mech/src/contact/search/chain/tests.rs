@@ -7,7 +7,7 @@ fn zigzag() -> Vec<[f64; 3]> {
 /// Requirement: corners join straight parts with continuous arc coordinate; pieces tile the chain.
 #[test]
 fn kinds_along_the_chain() {
-    let chain = Chain::new(&zigzag(), 0.25, 0.1).unwrap();
+    let chain = Chain::new(&zigzag(), Some(0.25), 0.1).unwrap();
     let at = |x: f64, y: f64| chain.closest(&zigzag(), Nearby::Positions, [x, y, 0.0]).unwrap();
     assert_eq!((at(0.5, 0.1).index, at(0.5, 0.1).kind), (0, PieceKind::Straight));
     assert_eq!((at(1.0, 0.1).index, at(1.0, 0.1).kind), (1, PieceKind::Corner));
@@ -20,7 +20,7 @@ fn kinds_along_the_chain() {
 /// Requirement: beyond the extension there is no contact, and it is told apart from far away.
 #[test]
 fn sliding_off_the_end() {
-    let chain = Chain::new(&zigzag(), 0.25, 0.1).unwrap();
+    let chain = Chain::new(&zigzag(), Some(0.25), 0.1).unwrap();
     let x = zigzag();
     assert!(chain.closest(&x, Nearby::Positions, [-0.11, 0.02, 0.0]).is_none());
     assert!((chain.beyond_end(&x, [-0.11, 0.02, 0.0]).unwrap() + 0.02).abs() < 1e-15);
@@ -35,7 +35,7 @@ fn sliding_off_the_end() {
 fn no_hole() {
     let x = zigzag();
     for smoothing in [0.0, 0.1, 0.25, 0.49] {
-        let chain = Chain::new(&x, smoothing, 0.1).unwrap();
+        let chain = Chain::new(&x, Some(smoothing), 0.1).unwrap();
         for segment in 0..3 {
             let (a, b) = (x[segment], x[segment + 1]);
             for i in 0..=2000 {
@@ -66,7 +66,7 @@ fn the_tree_changes_no_answer() {
         .collect();
     let (mut facing, mut none) = (0, 0);
     for (smoothing, extension) in [(0.0, 0.1), (0.25, 0.0), (0.49, 2.0)] {
-        let chain = Chain::new(&x, smoothing, extension).unwrap();
+        let chain = Chain::new(&x, Some(smoothing), extension).unwrap();
         let tree = chain.tree(&x);
         for k in 0..4000 {
             let (a, b) = (f64::from(k) * 0.37, f64::from(k) * 0.61);
@@ -87,7 +87,7 @@ fn the_tree_changes_no_answer() {
         }
     }
     let x: Vec<[f64; 3]> = (0..70).map(|k| [f64::from(k), 0.1 * f64::from(k % 2), 0.0]).collect();
-    let chain = Chain::new(&x, 0.2, 0.1).unwrap();
+    let chain = Chain::new(&x, Some(0.2), 0.1).unwrap();
     let tree = chain.tree(&x);
     for k in 0..400 {
         let p = [-10.0 + 0.25 * f64::from(k), 3.0 * f64::from(k).sin(), 0.0];
@@ -106,7 +106,7 @@ fn the_tree_changes_no_answer() {
 fn pieces_tile_the_chain() {
     let x = zigzag();
     for smoothing in [0.0, 0.1, 0.25, 0.49] {
-        let chain = Chain::new(&x, smoothing, 0.0).unwrap();
+        let chain = Chain::new(&x, Some(smoothing), 0.0).unwrap();
         let mut last: Option<f64> = None;
         for k in 0..=3 * 4000 {
             let (segment, s) = ((k / 4000).min(2), f64::from(k) / 4000.0);
@@ -116,13 +116,14 @@ fn pieces_tile_the_chain() {
             let piece = chain.closest(&x, Nearby::Positions, p).unwrap();
             let (index, t) = (piece.index, piece.parameter);
             let along = match piece.kind {
-                PieceKind::Straight => {
+                PieceKind::Straight | PieceKind::Curve { .. } => {
                     chain.arc_coordinate(index) + t * chain.reference_length(index)
                 }
                 PieceKind::Corner | PieceKind::Nose { .. } => {
                     let (before, after) =
                         (chain.reference_length(index - 1), chain.reference_length(index));
-                    let (a1, a2) = (smoothing * before, smoothing * after);
+                    let fraction = chain.corner_fraction();
+                    let (a1, a2) = (fraction * before, fraction * after);
                     chain.arc_coordinate(index) - a1 + 2.0 * a1 * t + (a2 - a1) * t * t
                 }
             };
@@ -139,10 +140,10 @@ fn pieces_tile_the_chain() {
 /// Requirement: degenerate input gives no chain or no piece, never NaN.
 #[test]
 fn degenerate_input() {
-    assert!(Chain::new(&[[0.0; 3]], 0.0, 0.1).is_none());
-    assert!(Chain::new(&[[0.0; 3]; 2], 0.0, 0.1).is_none());
-    assert!(Chain::new(&zigzag(), 0.5, 0.1).is_none());
-    let chain = Chain::new(&zigzag(), 0.2, 0.1).unwrap();
+    assert!(Chain::new(&[[0.0; 3]], Some(0.0), 0.1).is_none());
+    assert!(Chain::new(&[[0.0; 3]; 2], Some(0.0), 0.1).is_none());
+    assert!(Chain::new(&zigzag(), Some(0.5), 0.1).is_none());
+    let chain = Chain::new(&zigzag(), Some(0.2), 0.1).unwrap();
     assert!(chain.closest(&[[1.0, 1.0, 0.0]; 4], Nearby::Positions, [1.0, 1.0, 0.0]).is_none());
     assert!(chain.closest(&zigzag()[..2], Nearby::Positions, [1.0, 1.0, 0.0]).is_none());
     assert!(chain.closest(&zigzag(), Nearby::Positions, [f64::NAN, 1.0, 0.0]).is_none());

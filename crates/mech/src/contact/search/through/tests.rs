@@ -1,0 +1,111 @@
+use super::super::chain::{Chain, Nearby, PieceKind};
+use super::*;
+
+/// Nodes of a circle about the origin at these angles [degrees].
+fn on_circle(radius: f64, angles: impl Iterator<Item = f64>) -> Vec<[f64; 3]> {
+    let at = |angle: f64| {
+        let (s, c) = angle.to_radians().sin_cos();
+        [radius * c, radius * s, 0.0]
+    };
+    angles.map(at).collect()
+}
+
+fn drawn(nodes: &[[f64; 3]]) -> Chain {
+    Chain::new(nodes, None, 0.1).unwrap()
+}
+
+fn joined(nodes: &[[f64; 2]]) -> Vec<bool> {
+    let nodes: Vec<_> = nodes.iter().map(|&[x, y]| [x, y, 0.0]).collect();
+    let lengths: Vec<f64> = nodes
+        .windows(2)
+        .map(|ends| (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]))
+        .collect();
+    let mut through = Through::default();
+    through.draw(nodes.iter().copied(), &lengths);
+    (0..nodes.len()).map(|node| through.is_joined(node)).collect()
+}
+
+/// Requirement: the curve passes its nodes, and leaves a circle between them with the fourth power of the chord at
+/// even nodes: a quarter of the angle, 256 times nearer.
+#[test]
+fn it_passes_the_nodes_of_a_circle_and_stays_near_it() {
+    let off = |step: f64| {
+        let nodes = on_circle(2.0, (0..9).map(|k| step * f64::from(k)));
+        let chain = drawn(&nodes);
+        let curve = chain.curve(4).unwrap();
+        for (s, node) in [(0.0, 4), (1.0, 5)] {
+            let (place, _) = curve.place(&nodes, s);
+            assert!((place[0] - nodes[node][0]).abs() < 1e-15);
+            assert!((place[1] - nodes[node][1]).abs() < 1e-15);
+        }
+        let (place, _) = curve.place(&nodes, 0.5);
+        (place[0].hypot(place[1]) - 2.0).abs()
+    };
+    let (coarse, fine) = (off(20.0), off(5.0));
+    // the chord is 0.03 off
+    assert!(coarse < 8e-4, "{coarse}");
+    assert!((230.0..280.0).contains(&(coarse / fine)), "{}", coarse / fine);
+}
+
+/// Requirement: two curves that meet at a node have one tangent there, whatever the segments are long, and wherever
+/// the nodes have moved.
+#[test]
+fn curves_join_with_one_tangent() {
+    let nodes = on_circle(1.0, [0.0, 10.0, 14.0, 33.0, 40.0, 60.0].into_iter());
+    let chain = drawn(&nodes);
+    let moved: Vec<_> =
+        nodes.iter().map(|&[x, y, z]| [1.3 * x + 0.2 * y * y, 0.8 * y, z]).collect();
+    for node in 1..nodes.len() - 1 {
+        let ends = [(node - 1, 1.0), (node, 0.0)];
+        let [a, b] = ends.map(|(part, s)| chain.curve(part).unwrap().place(&moved, s).1);
+        let turn = cross(a, b) / (a[0].hypot(a[1]) * b[0].hypot(b[1]));
+        assert!(turn.abs() < 1e-14 && dot(a, b) > 0.0, "{node}: {turn}");
+    }
+}
+
+/// Requirement: what is round on three nodes or more is joined; ridges, chamfers and corners of 45 degrees are drawn,
+/// and an arc between straight parts is joined at its ends too.
+#[test]
+fn ridges_and_chamfers_are_drawn() {
+    let ridge = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [3.0, 0.3], [4.0, 0.6], [5.0, 0.9]];
+    assert_eq!(joined(&ridge), [false, true, false, true, true, false]);
+    let chamfer = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [3.0, 0.4], [3.5, 1.4], [4.0, 2.4]];
+    assert_eq!(joined(&chamfer), [false, true, false, false, true, false]);
+    let corner = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [2.0, 2.0], [2.0, 3.0]];
+    assert_eq!(joined(&corner), [false, true, false, true, true, false]);
+    let zigzag = [[0.0, 0.0], [1.0, 0.2], [2.0, 0.0], [3.0, 0.2], [4.0, 0.0], [5.0, 0.2]];
+    assert_eq!(joined(&zigzag), [false; 6]);
+    let arc = [
+        [-2.0, -1.0],
+        [-1.0, -1.0],
+        [0.0, -1.0],
+        [0.5, -0.866],
+        [0.866, -0.5],
+        [1.0, 0.0],
+        [1.0, 1.0],
+    ];
+    assert_eq!(joined(&arc), [false, true, true, true, true, true, false]);
+}
+
+/// Requirement: every point near a round chain faces a piece of it, at right angles; beyond its ends by the extension
+/// alone.
+#[test]
+fn every_point_faces_the_curve() {
+    let nodes = on_circle(1.0, (0..7).map(|k| 15.0 * f64::from(k)));
+    let chain = drawn(&nodes);
+    for radius in [0.9, 0.999, 1.001, 1.2, 3.0] {
+        for k in 0..=900 {
+            let [point] = on_circle(radius, std::iter::once(0.1 * f64::from(k)))[..] else {
+                panic!()
+            };
+            let piece = chain.closest(&nodes, Nearby::Positions, point).unwrap();
+            assert!(matches!(piece.kind, PieceKind::Curve { .. }));
+            let (foot, tangent) = chain.curve(piece.index).unwrap().place(&nodes, piece.parameter);
+            let apart = sub(flat(point), foot);
+            assert!(dot(apart, tangent).abs() < 1e-12, "{radius} {k}");
+            assert!((apart[0].hypot(apart[1]) - (radius - 1.0).abs()).abs() < 1e-3);
+        }
+    }
+    let far = on_circle(1.0, [-10.0].into_iter())[0];
+    assert_eq!(chain.closest(&nodes, Nearby::Positions, far), None);
+}
