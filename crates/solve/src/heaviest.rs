@@ -83,7 +83,7 @@ impl Measured {
     ) {
         if self.pairs.len() != rows.len() {
             self.pairs.resize(rows.len(), Heaviest::default());
-            plan.contact.make_room(&mut self.room);
+            plan.contact.make_room(plan.dofs.len(), &mut self.room);
         }
         let mut is_any = false;
         for (row, heaviest) in rows.iter().zip(&mut self.pairs) {
@@ -110,7 +110,7 @@ impl Measured {
         let Self { pairs, room } = self;
         let (contact, u) = (plan.contact, &state.displacement[..]);
         let positions = work.evaluation.positions();
-        contact.make_room(room);
+        contact.make_room(u.len(), room);
         let points = contact.points.iter().zip(&state.points).enumerate();
         for (place, (point, now)) in points.filter(|(_, (_, now))| now.closed) {
             let is_node = point.is_node();

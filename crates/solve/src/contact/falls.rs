@@ -22,6 +22,10 @@ use slideline_mech::vector::{dot, size, sub};
 /// Parts of a line, and of a face in each direction, whose ends are looked at.
 const PARTS: [usize; 2] = [8, 4];
 
+/// Sine of the slope of a slave face to the mean of those about a node from which on the node is a corner [1]: half of
+/// 45 degrees.
+const CORNER: f64 = 0.382_683_432_365_089_8;
+
 /// Sizes of a face within which a node is met as near as any place of its faces [1].
 const AT_NODE: f64 = 1e-6;
 
@@ -32,6 +36,10 @@ pub struct FallsRoom {
     nearest: Vec<Option<Option<GapAt>>>,
     /// Which nodes are held by closed points.
     pub(super) held: Vec<bool>,
+    /// How far each slave face lies off what is round and it is a chord of [L].
+    rises: Vec<f64>,
+    /// No displacements.
+    still: Vec<f64>,
     pub(super) faces: FaceRoom,
 }
 
@@ -78,6 +86,14 @@ impl Face {
         })
     }
 
+    /// How far a face that is a chord of something round lies off that in its middle, where `normal` is the one
+    /// at a node of it [L].
+    fn rise(&self, normal: [f64; 3]) -> f64 {
+        let slope = |way: [f64; 3]| (dot(way, normal) / (size(way) * size(normal))).abs();
+        let slope = self.ways(None).map(slope).fold(0.0, f64::max);
+        if slope < CORNER { 0.25 * self.long() * slope } else { 0.0 }
+    }
+
     /// Twice the longest of them [L].
     fn long(&self) -> f64 {
         2.0 * self.ways(None).map(size).fold(0.0, f64::max)
@@ -108,9 +124,20 @@ impl Face {
 
 impl Contact {
     /// Makes room for the faces of all pairs, and forgets what is known of another state.
-    pub fn make_room(&self, room: &mut FallsRoom) {
-        room.nearest.clear();
-        room.nearest.resize(self.slave_faces.len(), None);
+    pub fn make_room(&self, dofs: usize, room: &mut FallsRoom) {
+        let FallsRoom { nearest, rises, still, .. } = room;
+        nearest.clear();
+        nearest.resize(self.slave_faces.len(), None);
+        rises.clear();
+        rises.resize(self.slave_faces.len(), 0.0);
+        still.resize(dofs, 0.0);
+        for place in (0..self.points.len()).filter(|&place| !self.points[place].faces.is_empty()) {
+            let normal = mean(self.faces_about(place, still).map(|own| own.normal));
+            for face in self.faces_about(place, still) {
+                let Some(rise) = face.number.and_then(|own| rises.get_mut(own)) else { continue };
+                *rise = rise.max(face.rise(normal));
+            }
+        }
     }
 
     /// What a slave node misses of its master; `None` where nothing is known of faces.
@@ -122,12 +149,13 @@ impl Contact {
     ) -> Option<MissedAt> {
         let point = &self.points[place];
         let (master, own) = (&self.masters[point.pair], self.place(point, 0.0, u));
-        let FallsRoom { nearest: known, faces: rest, .. } = room;
+        let FallsRoom { nearest: known, faces: rest, rises, .. } = room;
+        let round = point.faces.iter().map(|&face| rises[face]).fold(0.0, f64::max);
         let MasterSurface::Line { chain, nodes, offset, itself: None, .. } = master else {
             let mut gap =
                 |at| self.depth_at(point, at, (u, positions), rest).map(|depth: f64| -depth);
             let falls_away = self.falls_away((place, own), u, known, &mut gap)?;
-            return Some(MissedAt { falls_away, smoothed_away: 0.0 });
+            return Some(MissedAt { falls_away: beyond(falls_away, round), smoothed_away: 0.0 });
         };
         let stand = positions.nodes.get(*offset..offset + nodes.len())?;
         let piece = master.piece((positions, point.pair), (own, 0, &Outlook::EVERYWHERE))?;
@@ -136,6 +164,7 @@ impl Contact {
         let line = NearLine::about(master, (&piece, stand), 2.0 * long + depth.abs())?;
         let mut gap = |at| line.depth(at).map(|depth| -depth);
         let falls_away = self.falls_away((place, own), u, known, &mut gap)?;
+        let falls_away = beyond(falls_away, round);
         let cut = if piece.kind == PieceKind::Corner { line.depth(own) } else { None };
         Some(MissedAt { falls_away, smoothed_away: cut.map_or(0.0, |cut| (cut - depth).abs()) })
     }
@@ -252,6 +281,11 @@ impl Contact {
             _ => None,
         }
     }
+}
+
+/// What is left of a length beyond another one [L].
+fn beyond(length: f64, other: f64) -> f64 {
+    (length - other).max(0.0)
 }
 
 /// How deep a place of the plane stands behind a line whose material is on the right [L].

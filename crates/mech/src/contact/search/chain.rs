@@ -433,6 +433,11 @@ impl Chain {
         self.through.is_drawn()
     }
 
+    /// Whether it passes a node with one tangent, without smoothing.
+    pub fn is_joined(&self, node: usize) -> bool {
+        self.through.is_joined(node)
+    }
+
     /// The curve in place of the segment `index`.
     pub fn curve(&self, index: usize) -> Option<&Curve> {
         self.through.curve(index)

@@ -176,8 +176,8 @@ impl Curve {
         (s.is_finite() && value(s).1 < 0.0).then_some(s)
     }
 
-    /// The place of the curve at a parameter [L].
-    pub(super) fn place(&self, positions: &[[f64; 3]], s: f64) -> (Point, Point) {
+    /// The place of the curve at a parameter, and its derivative by that [L].
+    pub fn place(&self, positions: &[[f64; 3]], s: f64) -> ([f64; 2], [f64; 2]) {
         let (x, first, _) = at(&self.polynomial(positions), s);
         (x, first)
     }
