@@ -46,11 +46,6 @@ impl Vocabulary {
         format!("{}\n{clearance:.3E}, {pressure:.3E}\n", self.softened())
     }
 
-    /// The parameter that rounds the corners of a master.
-    pub fn smooth(self) -> &'static str {
-        self.either("*SLIDE LINE, SMOOTH=0.2", "*CONTACT PAIR, SMOOTH=0.2")
-    }
-
     /// The card that lists an analytical surface.
     pub fn rigid_surface(self) -> &'static str {
         self.either("*RIGID SURFACE", "*SURFACE, TYPE=SEGMENTS")

@@ -18,7 +18,6 @@ mod limit_load;
 mod other;
 mod passed;
 mod structure;
-mod valley;
 
 pub use case::{Case, reason};
 pub use ends::slid_off;

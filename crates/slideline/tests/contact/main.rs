@@ -35,6 +35,7 @@ mod rigid_meshes;
 mod ring_contact;
 mod roles_of_general_contact;
 mod rough_slaves;
+mod rounds;
 mod rubber_rings;
 mod self_contact;
 mod self_contact_in_space;

@@ -26,7 +26,7 @@ fn meshed(stroke: f64, (at, rise): (f64, f64), smooth: &str) -> String {
     )
 }
 
-fn told(name: &str, deck: &str) -> Vec<String> {
+pub fn told(name: &str, deck: &str) -> Vec<String> {
     let outcome = run_in(&folder(name), &Job::read_text("ridge", deck, &ReadOptions::default()));
     assert_eq!(outcome.status, Status::Completed, "{name}: {:?}", codes(&outcome));
     codes(&outcome).iter().map(|&own| own.to_owned()).collect()
@@ -61,8 +61,9 @@ fn a_corner_that_is_smoothed_away_is_told() {
         let deck = meshed(0.06, (0.4, 0.08), smooth);
         told(name, &deck).contains(&"SL0622".to_owned())
     };
-    assert!(said("ridge_smoothed", ""));
+    assert!(said("ridge_smoothed", ", SMOOTH=0.2"));
     assert!(!said("ridge_not_smoothed", ", SMOOTH=0"));
+    assert!(!said("ridge_as_drawn", ""));
 }
 
 /// [`at_nodes`] with the ridge under a node.

@@ -135,21 +135,6 @@ fn the_suggested_card_makes_the_deck_run() {
 /// Requirement: numbers in the message are those of the model. The bar is
 /// told to stand at 0.01 - 0.05 t: its floor is at t = 0.2, and what is left
 /// there is what the last, smallest increment leads into it: 0.05 dt.
-/// Requirement: where corners of the master are not smoothed, the node that two faces push to and fro is
-/// named with the bottom of its valley, and smoothing lets the deck run.
-#[test]
-fn a_node_in_a_valley_is_named_and_the_help_mends_it() {
-    let why = diagnosis("SL0501-valley.inp");
-    assert!(
-        why.message.contains("node 11 presses into a valley of its master, at node 5"),
-        "{why:?}"
-    );
-    assert!(why.help.unwrap().contains("*CONTACT PAIR, SMOOTH=0.2"));
-    let text = std::fs::read_to_string(folder().join("SL0501-valley.inp")).unwrap();
-    let better = text.replace("SMOOTH=0", "SMOOTH=0.2");
-    assert!(matches!(ending(&better), Ending::Completed(_)), "{better}");
-}
-
 #[test]
 fn a_bar_on_a_floor_names_all_its_nodes_and_what_is_left() {
     let why = diagnosis("SL0514-bar-on-floor.inp");

@@ -71,13 +71,13 @@ impl Contact {
                 MasterSurface::Body { dofs, .. } => {
                     cliques.add(constraints, own.as_slice().iter().chain(turn).chain(dofs));
                 }
-                MasterSurface::Line { nodes, .. } => {
+                MasterSurface::Line { chain, nodes, .. } => {
                     let all = 0..nodes.len();
                     let range = match near.get(place) {
                         Some(Candidates::Nodes(range)) => range.clone(),
                         _ => all,
                     };
-                    let window = range.len().min(3);
+                    let window = range.len().min(chain.most_nodes());
                     for window in nodes[range].windows(window.max(1)) {
                         let facing = window.iter().flat_map(|(_, dofs)| dofs.as_slice());
                         let own = own.as_slice().iter().chain(turn.clone());

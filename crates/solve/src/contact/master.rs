@@ -202,8 +202,8 @@ impl MasterSurface {
             Self::Nothing => 0,
             Self::Body { dofs, .. } => dofs.len(),
             Self::Line { chain, nodes, .. } => {
-                let controls = if chain.is_drawn_through() { CONTROLS } else { 3 };
-                controls * nodes.iter().map(|(_, dofs)| dofs.as_slice().len()).max().unwrap_or(0)
+                chain.most_nodes()
+                    * nodes.iter().map(|(_, dofs)| dofs.as_slice().len()).max().unwrap_or(0)
             }
             // of the face, and of the one at the last commit
             Self::Faces { mesh, .. } => 2 * 3 * mesh.longest_stencil(),

@@ -22,34 +22,19 @@ impl Case<'_> {
                 dof.name()
             ))
         });
-        let valley = self.in_a_valley();
-        let pressed = valley.map(|(node, bottom)| {
-            format!(
-                "; node {} presses into a valley of its master, at node {}, where no corner is smoothed",
-                self.label(node),
-                self.label(bottom)
-            )
-        });
         let message = format!(
-            "no equilibrium was found {}, and the cause is not known: {}, and {ended}{}{}",
+            "no equilibrium was found {}, and the cause is not known: {}, and {ended}{}",
             self.beyond(),
             reason(self.plan, self.outcome),
-            place.unwrap_or_default(),
-            pressed.unwrap_or_default()
+            place.unwrap_or_default()
         );
         let said = Diagnostic::error(Code("SL0501"), message).at(self.plan.step.origin);
         let vocabulary = self.plan.model.vocabulary();
-        said.help(match valley {
-            Some(_) => format!(
-                "the results up to that time are kept; smooth the corners of the master: {}",
-                vocabulary.smooth()
-            ),
-            None => format!(
-                "the results up to that time are kept; let *STATIC start with a shorter increment \
-                 and allow smaller ones, or soften the contact with {}",
-                vocabulary.softened()
-            ),
-        })
+        said.help(format!(
+            "the results up to that time are kept; let *STATIC start with a shorter increment \
+             and allow smaller ones, or soften the contact with {}",
+            vocabulary.softened()
+        ))
     }
 
     /// The embedding program's friction law failed.

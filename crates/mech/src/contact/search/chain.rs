@@ -19,9 +19,14 @@ use super::through::{CONTROLS, Curve, Through};
 use super::tree::{Bounds, BoxTree};
 use super::{INSIDE, Point, TIE, cross, dot, project_line, project_quadratic, sub};
 
-/// Part of both segments over which a valley of a chain without smoothing is rounded [1]: two hundred thousandths of
-/// what an arc rises over its chords.
-const VALLEY: f64 = 1e-5;
+pub use super::{flat, raised};
+
+/// Part of both segments over which a valley is rounded where nothing else is round [1]: its bottom moves by 0.0025 of a
+/// segment times the sine of half its turn.
+const VALLEY: f64 = 0.005;
+/// The same of a chain without smoothing [1], where many may be chords of something round on which nodes stand: a
+/// two thousandth of what its arc rises over a chord.
+const BARE_VALLEY: f64 = 1e-4;
 /// Turn up to which a ridge counts as a valley [rad]: what is flat turns to and fro by its strains.
 const FLAT: f64 = 1e-3;
 
@@ -49,16 +54,6 @@ impl<'a> Nearby<'a> {
             _ => None,
         }
     }
-}
-
-/// The place of a point in the plane of the chain.
-pub fn flat([x, y, _]: [f64; 3]) -> Point {
-    [x, y]
-}
-
-/// A place in the plane of the chain as one in space.
-pub fn raised([x, y]: Point) -> [f64; 3] {
-    [x, y, 0.0]
 }
 
 /// A box that holds two boxes.
@@ -425,12 +420,21 @@ impl Chain {
 
     /// The same of a corner that there is.
     pub fn corner_fraction(&self) -> f64 {
-        if self.smoothing > 0.0 { self.smoothing } else { VALLEY }
+        match self.is_drawn_through() {
+            true => VALLEY,
+            false if self.smoothing > 0.0 => self.smoothing,
+            false => BARE_VALLEY,
+        }
     }
 
     /// Whether curves through its nodes take the place of segments where it is round.
     pub fn is_drawn_through(&self) -> bool {
         self.through.is_drawn()
+    }
+
+    /// The most nodes that a piece follows.
+    pub fn most_nodes(&self) -> usize {
+        if self.is_drawn_through() { CONTROLS } else { 3 }
     }
 
     /// Whether it passes a node with one tangent, without smoothing.

@@ -28,6 +28,16 @@ pub mod tree;
 
 type Point = [f64; 2];
 
+/// The place of a point in the plane of a chain.
+pub fn flat([x, y, _]: [f64; 3]) -> [f64; 2] {
+    [x, y]
+}
+
+/// A place in the plane of a chain as one in space.
+pub fn raised([x, y]: [f64; 2]) -> [f64; 3] {
+    [x, y, 0.0]
+}
+
 fn sub(a: Point, b: Point) -> Point {
     [a[0] - b[0], a[1] - b[1]]
 }

@@ -9,8 +9,7 @@
 //!
 //! docs/theory.md section 5.3. (derived)
 
-use super::chain::flat;
-use super::{INSIDE, Point, cross, dot, sub};
+use super::{INSIDE, Point, cross, dot, flat, sub};
 
 /// Turn up to which two segments are taken for straight [rad].
 const STRAIGHT: f64 = 1e-3;
