@@ -11,7 +11,7 @@ use slideline_model::{Dialect, ElementType, Kinematics, NodeIndex, Pressed};
 
 use super::faces::{self, SolidFace, face_nodes};
 use super::load_forces::{
-    NOUGHT, Resolved, What, per_volume, places, refuse, shares, weight_leaves,
+    NOUGHT, Resolved, What, per_volume, places, refuse, shares, turned, weight_leaves,
 };
 use super::unit_systems;
 use super::{line_loads, orientations, point_masses};
@@ -244,7 +244,7 @@ fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((us
     let (thickness, material) = section(index, draft).unwrap_or((1.0, String::new()));
     let density = match kind {
         Kind::Body(_) | Kind::Line(_) => 1.0,
-        _ => match density(&material, draft) {
+        _ => match density(&material, &nodes, draft) {
             Some(density) => {
                 weigh((&material, density), line, draft);
                 density
@@ -286,7 +286,15 @@ fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((us
         }
         return None;
     };
-    let what = What::Forces(shares(&nodes, &forces, draft));
+    let masses = || match is_line {
+        true => Some(volume::masses_along(&x, density * thickness)),
+        false => {
+            let dense = |at: [f64; 3]| if ring { at[0] * density } else { density };
+            volume::masses((row.cell, own_rule(row, draft)), thickness, &x, dense)
+        }
+    };
+    let what = turned(kind, &nodes, draft, masses);
+    let what = what.unwrap_or_else(|| What::Forces(shares(&nodes, &forces, draft)));
     Some(((index, line.key(0, draft.dialect)), what))
 }
 
@@ -314,9 +322,22 @@ fn weigh((name, density): (&str, f64), line: &Distributed, draft: &mut Draft) {
     unit_systems::judge(&material, density, (pull, line.origin), draft);
 }
 
-/// Density of a material [M/L3].
-fn density(material: &str, draft: &Draft) -> Option<f64> {
-    draft.materials.iter().find(|own| own.name == material)?.density?.0
+/// Density of a material at the mean temperature that these nodes have before the first step
+/// [M/L3]: mass stays what it was then. Straight between the lines of its table, constant outside.
+fn density(material: &str, nodes: &[NodeIndex], draft: &Draft) -> Option<f64> {
+    let material = draft.materials.iter().find(|own| own.name == material)?;
+    let table = material.density.as_ref()?.0.as_ref()?;
+    let sum: f64 = nodes.iter().map(|&node| draft.model.initial_temperature(node).value).sum();
+    let mean = sum / nodes.len() as f64;
+    let above = table.iter().position(|line| line.0 > mean);
+    match above {
+        Some(0) => table.first().map(|line| line.1),
+        None => table.last().map(|line| line.1),
+        Some(place) => {
+            let ((from, low), (to, high)) = (table[place - 1], table[place]);
+            Some(low + (high - low) * (mean - from) / (to - from))
+        }
+    }
 }
 
 /// Thickness, of a line its area, and material of the section that an element belongs to.
