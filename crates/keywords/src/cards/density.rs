@@ -1,6 +1,6 @@
 //! `*DENSITY`: mass per volume, for gravity and centrifugal loads.
 
-use crate::draft::Draft;
+use crate::draft::{Draft, Table};
 use crate::keyword::{Keyword, Level, Subject};
 use crate::reading::Reading;
 
@@ -40,10 +40,10 @@ impl Keyword for Density {
 }
 
 /// Temperatures and densities, of which one line has none; of other dependencies the first line.
-fn table(card: &Reading<'_>, draft: &mut Draft) -> Option<Vec<(f64, f64)>> {
+fn table(card: &Reading<'_>, draft: &mut Draft) -> Option<Table<f64>> {
     card.first_line("the density", &mut draft.log)?;
     let lines = if card.has("DEPENDENCIES") { &card.data()[..1] } else { card.data() };
-    let mut table: Vec<(f64, f64)> = Vec::with_capacity(lines.len());
+    let mut table: Table<f64> = Vec::with_capacity(lines.len());
     for line in lines {
         let density = draft.log.number(line, 0, "the density")?;
         if density < 0.0 {

@@ -238,26 +238,10 @@ fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((us
         return None;
     }
     let ElementKind::Structural(row) = element.kind else { return None };
-    let everything = matches!(&line.on, On::Elements(Target::Set(set), _) if set.is_empty());
     let nodes = face_nodes(index, None, draft)?;
     let x = places(&nodes, draft);
     let (thickness, material) = section(index, draft).unwrap_or((1.0, String::new()));
-    let density = match kind {
-        Kind::Body(_) | Kind::Line(_) => 1.0,
-        _ => match density(&material, &nodes, draft) {
-            Some(density) => {
-                weigh((&material, density), line, draft);
-                density
-            }
-            None if everything || !row.joins() => return None,
-            None => {
-                let message = format!("the material {material} has no *DENSITY for this load");
-                let error = Diagnostic::error(Code("SL0309"), message).at(line.origin);
-                draft.consequence(Subject::Properties, error);
-                return None;
-            }
-        },
-    };
+    let density = needed_density((&material, row), &nodes, line, draft)?;
     if let Some(why) = leaves(kind, row, draft.dialect).filter(|_| row.joins()) {
         refuse(why, row.name(), row.is_ring(), line, draft);
         return None;
@@ -296,6 +280,31 @@ fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((us
     let what = turned(kind, &nodes, draft, masses);
     let what = what.unwrap_or_else(|| What::Forces(shares(&nodes, &forces, draft)));
     Some(((index, line.key(0, draft.dialect)), what))
+}
+
+/// The density that a load needs [M/L3], 1 for what is a force per volume or length itself; `None`
+/// where there is none, with a complaint if an element was to have one.
+fn needed_density(
+    (material, row): (&str, &ElementType),
+    nodes: &[NodeIndex],
+    line: &Distributed,
+    draft: &mut Draft,
+) -> Option<f64> {
+    if matches!(line.kind, Kind::Body(_) | Kind::Line(_)) {
+        return Some(1.0);
+    }
+    let everything = matches!(&line.on, On::Elements(Target::Set(set), _) if set.is_empty());
+    let found = density(material, nodes, draft);
+    match found {
+        Some(density) => weigh((material, density), line, draft),
+        None if everything || !row.joins() => {}
+        None => {
+            let message = format!("the material {material} has no *DENSITY for this load");
+            let error = Diagnostic::error(Code("SL0309"), message).at(line.origin);
+            draft.consequence(Subject::Properties, error);
+        }
+    }
+    found
 }
 
 /// CalculiX takes forces per volume at the points of the stiffness, which in reduced elements does
