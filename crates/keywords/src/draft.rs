@@ -118,6 +118,8 @@ pub(crate) struct Draft {
     pub tilted: Vec<(String, Span)>,
     /// A card that adds mass, which weighs nothing here.
     pub added_mass: Option<Span>,
+    /// Whether some step has nonlinear kinematics; known from when steps are finished.
+    pub large: bool,
     pub restart: Option<SavedStates>,
     /// Whether the cards are those of a deck that goes on from an earlier job.
     pub goes_on: bool,

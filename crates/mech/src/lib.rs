@@ -31,5 +31,6 @@ pub mod section_load;
 pub mod surface;
 pub mod traction;
 pub mod turn;
+pub mod turning;
 pub mod vector;
 pub mod volume;

@@ -10,7 +10,7 @@ use crate::element::cell::{Cell, line3_shapes, line3_slopes};
 use crate::element::quadrature::{GAUSS_4, GAUSS_4_MEAN, Quadrature};
 
 /// The most nodes of a cell.
-const MOST: usize = 20;
+pub const MOST: usize = 20;
 
 /// Calls `at` with every point of a product rule on the reference cell and its weight. Simplices
 /// are squares and cubes of which one side is drawn together. With four points an axis polynomials
@@ -57,6 +57,44 @@ pub fn spread(
         return None;
     }
     let mut forces = vec![[0.0; 3]; cell.nodes];
+    for_each_share((cell, rule), thickness, x, |shapes, at, volume| {
+        let force = body(at);
+        for (own, shape) in forces.iter_mut().zip(shapes) {
+            own.iter_mut().zip(force).for_each(|(f, b)| *f += volume * shape * b);
+        }
+    });
+    Some(forces)
+}
+
+/// Masses of pairs of the nodes at `x` [L], row by row [M], of a density that depends on the place
+/// [M/L3]; else as [`spread`]: docs/theory.md eq. (4.28).
+pub fn masses(
+    (cell, rule): (&Cell, Option<&Quadrature>),
+    thickness: f64,
+    x: &[[f64; 3]],
+    density: impl Fn([f64; 3]) -> f64,
+) -> Option<Vec<f64>> {
+    if !matches!(cell.dimension, 2 | 3) || cell.nodes > MOST {
+        return None;
+    }
+    let mut masses = vec![0.0; cell.nodes * cell.nodes];
+    for_each_share((cell, rule), thickness, x, |shapes, at, volume| {
+        let mass = volume * density(at);
+        for (row, own) in masses.chunks_exact_mut(cell.nodes).zip(shapes) {
+            row.iter_mut().zip(shapes).for_each(|(entry, other)| *entry += mass * own * other);
+        }
+    });
+    Some(masses)
+}
+
+/// Calls `share` with the shape functions, the place [L] and the volume [L3] of every point of a
+/// rule, or of those of the exact product.
+fn for_each_share(
+    (cell, rule): (&Cell, Option<&Quadrature>),
+    thickness: f64,
+    x: &[[f64; 3]],
+    mut share: impl FnMut(&[f64], [f64; 3], f64),
+) {
     let mut add = |place: [f64; 3], weight: f64| {
         let (mut shapes, mut slopes) = ([0.0; MOST], [[0.0; 3]; MOST]);
         (cell.shapes)(&place, &mut shapes[..cell.nodes]);
@@ -80,16 +118,12 @@ pub fn spread(
                 (0..3).map(|k| area[k] * c[k]).sum()
             }
         };
-        let force = body(at);
-        for (own, shape) in forces.iter_mut().zip(shapes) {
-            own.iter_mut().zip(force).for_each(|(f, b)| *f += weight * volume * shape * b);
-        }
+        share(&shapes[..cell.nodes], at, weight * volume);
     };
     match rule {
         Some(rule) => rule.points.iter().zip(rule.weights).for_each(|(at, &w)| add(*at, w)),
         None => for_each_point(cell, add),
     }
-    Some(forces)
 }
 
 /// Forces on the nodes at `x` [L] of a line of two or three of a force per length [F/L] that depends
@@ -99,6 +133,34 @@ pub fn spread_along(
     pull: impl Fn([f64; 3], [f64; 3]) -> [f64; 3],
 ) -> Vec<[f64; 3]> {
     let mut forces = vec![[0.0; 3]; x.len()];
+    for_each_share_along(x, |shapes, (at, along), length| {
+        let force = pull(at, along);
+        for (own, shape) in forces.iter_mut().zip(shapes) {
+            own.iter_mut().zip(force).for_each(|(own, force)| *own += length * shape * force);
+        }
+    });
+    forces
+}
+
+/// Masses of pairs of the nodes at `x` [L] of such a line, row by row [M], of a mass per length [M/L].
+pub fn masses_along(x: &[[f64; 3]], mass: f64) -> Vec<f64> {
+    let mut masses = vec![0.0; x.len() * x.len()];
+    for_each_share_along(x, |shapes, _, length| {
+        for (row, own) in masses.chunks_exact_mut(x.len()).zip(shapes) {
+            row.iter_mut()
+                .zip(shapes)
+                .for_each(|(entry, other)| *entry += mass * length * own * other);
+        }
+    });
+    masses
+}
+
+/// Calls `share` with the shape functions, the place [L] with the unit tangent, and the length [L] of
+/// every point of a line.
+fn for_each_share_along(
+    x: &[[f64; 3]],
+    mut share: impl FnMut(&[f64; 3], ([f64; 3], [f64; 3]), f64),
+) {
     for (xi, weight) in GAUSS_4.into_iter().zip(GAUSS_4_MEAN) {
         let (shapes, slopes) = match x.len() {
             3 => (line3_shapes(xi), line3_slopes(xi)),
@@ -109,14 +171,9 @@ pub fn spread_along(
         };
         let (at, along) = (sum(&shapes), sum(&slopes));
         let length = along[0].hypot(along[1]).hypot(along[2]);
-        let force = pull(at, along.map(|part| part / length));
-        for (own, shape) in forces.iter_mut().zip(shapes) {
-            // the weights are those of an interval of length one
-            let share = 2.0 * weight * length * shape;
-            own.iter_mut().zip(force).for_each(|(own, force)| *own += share * force);
-        }
+        // the weights are those of an interval of length one
+        share(&shapes, (at, along.map(|part| part / length)), 2.0 * weight * length);
     }
-    forces
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ use crate::node::{Dof, NodeIndex};
 use slideline_diag::Span;
 use slideline_mech::pressure::Face;
 use slideline_mech::traction::Traction;
+use slideline_mech::turning::Turning;
 
 /// A concentrated load, or a share of a distributed one.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,7 +27,8 @@ pub struct Load {
 /// What is spread over faces and volumes.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Distributed {
-    /// Pressures and tractions, which follow their faces where the kinematics are nonlinear.
+    /// Pressures and tractions, which follow their faces where the kinematics are nonlinear, and
+    /// forces of turning, which follow the places of nodes.
     pub pressures: Vec<Pressure>,
     /// Forces of fixed direction, already on the nodes; several may act on a node.
     pub forces: Vec<Load>,
@@ -42,6 +44,15 @@ pub enum Pressed {
     /// A beam: the pressure is a force per length along an axis of its sections and turns with them.
     /// For every node the integral of its shape function times that axis, undeformed [L].
     Sections(Vec<[f64; 3]>),
+    /// The mass of an element that turns about an axis; the size is omega squared [1/T2].
+    Turning(Turning),
+}
+
+impl Pressed {
+    /// Whether it is a centrifugal force, whose derivative alone is symmetric.
+    pub fn is_turning(&self) -> bool {
+        matches!(self, Self::Turning(_))
+    }
 }
 
 /// A pressure or a traction on a face, or a force per length that turns with a beam.

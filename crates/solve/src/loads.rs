@@ -1,4 +1,5 @@
-//! Pressures and tractions that follow their faces, and forces per length that turn with beams.
+//! Pressures and tractions that follow their faces, forces per length that turn with beams, and
+//! centrifugal forces of elements where they are.
 //!
 //! ```text
 //!     p |||        o---o   forces at the current shape, their derivative in the tangent
@@ -9,12 +10,14 @@ use crate::constraints::{Constraints, Rows};
 use crate::dofs::DofMap;
 use crate::section_loads::SectionLoad;
 use slideline_linalg::{Kind, Pattern};
-use slideline_mech::pressure::{Face, MOST_NODES};
+use slideline_mech::pressure::Face;
 use slideline_mech::traction;
 use slideline_mech::turn::Turn;
+use slideline_mech::turning::Turning;
+use slideline_mech::volume::MOST as MOST_NODES;
 use slideline_model::{self as model, Dof, Model, NodeIndex, Step};
 
-/// A face with its dofs.
+/// A face, or an element that turns, with its dofs.
 #[derive(Clone, Debug)]
 struct Pressed {
     by: By,
@@ -26,11 +29,12 @@ struct Pressed {
     own: (Vec<usize>, Vec<usize>),
 }
 
-/// What acts on a face.
+/// What acts on it.
 #[derive(Clone, Debug)]
 enum By {
     Pressure(Face),
     Traction(traction::Placed),
+    Turning(Turning),
 }
 
 /// What a load follows.
@@ -40,7 +44,7 @@ enum Followed {
     Sections(SectionLoad),
 }
 
-/// The most entries of the derivative of the forces of a face.
+/// The most entries of the derivative of the forces on a face or an element.
 const MOST_ENTRIES: usize = 9 * MOST_NODES * MOST_NODES;
 
 /// The faces that a step presses.
@@ -56,6 +60,7 @@ impl Pressed {
         match &self.by {
             By::Pressure(face) => face.press(size, x, force),
             By::Traction(traction) => traction.pull(size, x, force),
+            By::Turning(turning) => turning.push(size, x, force),
         }
     }
 
@@ -64,6 +69,7 @@ impl Pressed {
         match &self.by {
             By::Pressure(face) => face.stiffness(size, x, tangent),
             By::Traction(traction) => traction.stiffness(size, x, tangent),
+            By::Turning(turning) => turning.stiffness(size, x.len(), tangent),
         }
     }
 }
@@ -77,6 +83,7 @@ impl FaceLoads {
             let by = match &load.on {
                 model::Pressed::Face(face) => By::Pressure(*face),
                 model::Pressed::Traction(traction) => By::Traction(traction.at_rest(&reference)),
+                model::Pressed::Turning(turning) => By::Turning(turning.clone()),
                 model::Pressed::Sections(shares) => {
                     return Followed::Sections(SectionLoad::new(&load.nodes, shares, dofs));
                 }

@@ -242,5 +242,6 @@ pub fn is_nearly_symmetric(model: &Model, step: &Step, contact: &Contact) -> boo
 /// Whether loads follow the motion.
 fn follows(model: &Model, step: &Step) -> bool {
     let turns = || model.is_in_space() && step.loads.iter().any(|load| load.dof.is_rotation());
-    step.nlgeom && (!step.distributed.pressures.is_empty() || turns())
+    let follows = || step.distributed.pressures.iter().any(|own| !own.on.is_turning());
+    step.nlgeom && (follows() || turns())
 }

@@ -140,7 +140,8 @@ fn reaction(own: &Driven, frame: &Frame<'_>) -> [f64; 2] {
 
 /// Nodes under pressure, evenly chosen where there are many, along every axis.
 fn pressed(model: &Model) -> Vec<(NodeIndex, Dof)> {
-    let faces = model.steps.iter().flat_map(|step| &step.distributed.pressures);
+    let all = model.steps.iter().flat_map(|step| &step.distributed.pressures);
+    let faces = all.filter(|own| !own.on.is_turning());
     let nodes: BTreeSet<NodeIndex> = faces.flat_map(|own| own.nodes.iter().copied()).collect();
     let axes = if model.is_in_space() { &Dof::ALL[..] } else { &Dof::PLANE[..] };
     let axes: Vec<Dof> = axes.iter().copied().filter(|own| !own.is_rotation()).collect();
@@ -160,7 +161,8 @@ fn pressure(frame: &Frame<'_>) -> f64 {
         None if step.at_once || time >= period => ends[1],
         None => ends[0] + (ends[1] - ends[0]) * (time / period),
     };
-    let pressures = step.distributed.pressures.iter().map(|own| {
+    let all = step.distributed.pressures.iter().filter(|own| !own.on.is_turning());
+    let pressures = all.map(|own| {
         let begun = own.continues.zip(before).and_then(|(place, before)| {
             let old = before.distributed.pressures.get(place)?;
             let end = before.procedure.period;

@@ -2,6 +2,7 @@
 
 use slideline_deck::{DataLine, normalise};
 use slideline_diag::{Code, Diagnostic, Span};
+use slideline_model::Dialect;
 
 use crate::constraints::{Link, LinkKind, Shape, ShapeMpc};
 use crate::draft::Draft;
@@ -41,8 +42,8 @@ impl Keyword for Mpc {
         }
         for line in card.data() {
             let word = normalise(line.field(0).map_or("", |field| &field.text));
-            match (SHAPES.iter().find(|(own, _)| *own == word), draft.shape_mpcs.last()) {
-                (Some(&(_, shape)), _) => {
+            match (shape(&word, draft.dialect), draft.shape_mpcs.last()) {
+                (Some(shape), _) => {
                     let nodes = nodes(line, draft);
                     draft.shape_mpcs.push(ShapeMpc { shape, nodes, origin: line.span });
                 }
@@ -69,6 +70,13 @@ const SHAPES: [(&str, Shape); 5] = [
     ("LINEAR", Shape::Linear),
     ("LINK", Shape::Link),
 ];
+
+/// The shape that a type keeps. CalculiX' BEAM keeps the distance of two nodes alone, which is
+/// what LINK does.
+fn shape(word: &str, dialect: Dialect) -> Option<Shape> {
+    let word = if dialect == Dialect::Calculix && word == "BEAM" { "LINK" } else { word };
+    SHAPES.iter().find(|(own, _)| *own == word).map(|&(_, shape)| shape)
+}
 
 /// The nodes and sets behind the type.
 fn nodes(line: &DataLine, draft: &mut Draft) -> Vec<(Target, Span)> {

@@ -56,7 +56,9 @@ impl Keyword for Step {
             perturbation(card, draft);
         }
         let lines: Vec<&str> = card.data().iter().map(|line| line.text.as_str()).collect();
-        let nlgeom = card.yes("NLGEOM", &mut draft.log).unwrap_or(false);
+        // once on it stays on, in both dialects, until a step says NO
+        let before = draft.steps.last().is_some_and(|step| step.nlgeom);
+        let nlgeom = card.yes("NLGEOM", &mut draft.log).unwrap_or(before);
         let guess = card.choice("EXTRAPOLATION", &["LINEAR", "PARABOLIC", "NO"], &mut draft.log);
         let amplitude = card.choice("AMPLITUDE", &["RAMP", "STEP"], &mut draft.log);
         let max_increments = increments(card, draft);

@@ -11,7 +11,7 @@ use slideline_model::{Dialect, ElementType, Kinematics, NodeIndex, Pressed};
 
 use super::faces::{self, SolidFace, face_nodes};
 use super::load_forces::{
-    NOUGHT, Resolved, What, per_volume, places, refuse, shares, weight_leaves,
+    NOUGHT, Resolved, What, per_volume, places, refuse, shares, turned, weight_leaves,
 };
 use super::unit_systems;
 use super::{line_loads, orientations, point_masses};
@@ -238,26 +238,10 @@ fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((us
         return None;
     }
     let ElementKind::Structural(row) = element.kind else { return None };
-    let everything = matches!(&line.on, On::Elements(Target::Set(set), _) if set.is_empty());
     let nodes = face_nodes(index, None, draft)?;
     let x = places(&nodes, draft);
     let (thickness, material) = section(index, draft).unwrap_or((1.0, String::new()));
-    let density = match kind {
-        Kind::Body(_) | Kind::Line(_) => 1.0,
-        _ => match density(&material, draft) {
-            Some(density) => {
-                weigh((&material, density), line, draft);
-                density
-            }
-            None if everything || !row.joins() => return None,
-            None => {
-                let message = format!("the material {material} has no *DENSITY for this load");
-                let error = Diagnostic::error(Code("SL0309"), message).at(line.origin);
-                draft.consequence(Subject::Properties, error);
-                return None;
-            }
-        },
-    };
+    let density = needed_density((&material, row), &nodes, line, draft)?;
     if let Some(why) = leaves(kind, row, draft.dialect).filter(|_| row.joins()) {
         refuse(why, row.name(), row.is_ring(), line, draft);
         return None;
@@ -286,8 +270,41 @@ fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((us
         }
         return None;
     };
-    let what = What::Forces(shares(&nodes, &forces, draft));
+    let masses = || match is_line {
+        true => Some(volume::masses_along(&x, density * thickness)),
+        false => {
+            let dense = |at: [f64; 3]| if ring { at[0] * density } else { density };
+            volume::masses((row.cell, own_rule(row, draft)), thickness, &x, dense)
+        }
+    };
+    let what = turned(kind, &nodes, draft, masses);
+    let what = what.unwrap_or_else(|| What::Forces(shares(&nodes, &forces, draft)));
     Some(((index, line.key(0, draft.dialect)), what))
+}
+
+/// The density that a load needs [M/L3], 1 for what is a force per volume or length itself; `None`
+/// where there is none, with a complaint if an element was to have one.
+fn needed_density(
+    (material, row): (&str, &ElementType),
+    nodes: &[NodeIndex],
+    line: &Distributed,
+    draft: &mut Draft,
+) -> Option<f64> {
+    if matches!(line.kind, Kind::Body(_) | Kind::Line(_)) {
+        return Some(1.0);
+    }
+    let everything = matches!(&line.on, On::Elements(Target::Set(set), _) if set.is_empty());
+    let found = density(material, nodes, draft);
+    match found {
+        Some(density) => weigh((material, density), line, draft),
+        None if everything || !row.joins() => {}
+        None => {
+            let message = format!("the material {material} has no *DENSITY for this load");
+            let error = Diagnostic::error(Code("SL0309"), message).at(line.origin);
+            draft.consequence(Subject::Properties, error);
+        }
+    }
+    found
 }
 
 /// CalculiX takes forces per volume at the points of the stiffness, which in reduced elements does
@@ -314,9 +331,22 @@ fn weigh((name, density): (&str, f64), line: &Distributed, draft: &mut Draft) {
     unit_systems::judge(&material, density, (pull, line.origin), draft);
 }
 
-/// Density of a material [M/L3].
-fn density(material: &str, draft: &Draft) -> Option<f64> {
-    draft.materials.iter().find(|own| own.name == material)?.density?.0
+/// Density of a material at the mean temperature that these nodes have before the first step
+/// [M/L3]: mass stays what it was then. Straight between the lines of its table, constant outside.
+fn density(material: &str, nodes: &[NodeIndex], draft: &Draft) -> Option<f64> {
+    let material = draft.materials.iter().find(|own| own.name == material)?;
+    let table = material.density.as_ref()?.0.as_ref()?;
+    let sum: f64 = nodes.iter().map(|&node| draft.model.initial_temperature(node).value).sum();
+    let mean = sum / nodes.len() as f64;
+    let above = table.iter().position(|line| line.0 > mean);
+    match above {
+        Some(0) => table.first().map(|line| line.1),
+        None => table.last().map(|line| line.1),
+        Some(place) => {
+            let ((from, low), (to, high)) = (table[place - 1], table[place]);
+            Some(low + (high - low) * (mean - from) / (to - from))
+        }
+    }
 }
 
 /// Thickness, of a line its area, and material of the section that an element belongs to.

@@ -1,6 +1,7 @@
 //! Forces on nodes that distributed loads become, and loads that leave a plane.
 
 use slideline_diag::{Code, Diagnostic};
+use slideline_mech::turning::Turning;
 use slideline_model::{Dof, NodeIndex, Pressed};
 
 use crate::distributed::{Distributed, Key, Kind};
@@ -66,6 +67,22 @@ pub(super) fn refuse(why: &str, name: &str, ring: bool, line: &Distributed, draf
         false => "leave out the part of the load along z",
     };
     draft.consequence(Subject::Elements, error.help(help));
+}
+
+/// A load of turning, as masses of pairs of nodes [M], where the places of nodes count: some step
+/// has nonlinear kinematics.
+pub(super) fn turned(
+    kind: Kind,
+    nodes: &[NodeIndex],
+    draft: &Draft,
+    masses: impl FnOnce() -> Option<Vec<f64>>,
+) -> Option<What> {
+    let Kind::Centrifugal(point, axis) = kind else { return None };
+    if !draft.large {
+        return None;
+    }
+    let turning = Turning::new(masses()?, point, axis);
+    Some(What::Pressure(Pressed::Turning(turning), nodes.to_vec()))
 }
 
 /// The force per volume of a unit load at a place [F/L3].

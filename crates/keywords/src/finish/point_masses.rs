@@ -6,7 +6,9 @@
 
 use slideline_diag::{Code, Diagnostic};
 
-use super::load_forces::{Resolved, What, per_volume, places, refuse, shares, weight_leaves};
+use super::load_forces::{
+    Resolved, What, per_volume, places, refuse, shares, turned, weight_leaves,
+};
 use crate::distributed::Distributed;
 use crate::draft::{Draft, Element};
 use crate::rule::Subject;
@@ -54,7 +56,8 @@ pub(super) fn on_mass(
     }
     let at = places(&[node], draft);
     let forces: Vec<_> = at.into_iter().map(|at| per_volume((line.kind, None), mass, at)).collect();
-    let what = What::Forces(shares(&[node], &forces, draft));
+    let what = turned(line.kind, &[node], draft, || Some(vec![mass]));
+    let what = what.unwrap_or_else(|| What::Forces(shares(&[node], &forces, draft)));
     Some(((index, line.key(0, draft.dialect)), what))
 }
 

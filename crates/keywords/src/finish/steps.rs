@@ -70,6 +70,7 @@ pub(super) fn steps(draft: &mut Draft, doubted: bool) {
     for line in std::mem::take(&mut draft.initial) {
         prescribe(&line, &mut carried.prescribed, draft);
     }
+    draft.large = draft.steps.iter().any(|step| step.nlgeom);
     for step in std::mem::take(&mut draft.steps) {
         let before: f64 = draft.model.steps.iter().map(|step| step.procedure.period).sum();
         over_total_time(before, &mut carried, draft);

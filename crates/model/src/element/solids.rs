@@ -109,8 +109,8 @@ macro_rules! rows {
 }
 
 rows! {
-    /// Quadrilateral in plane strain, one pressure an element.
-    CPE4: QUAD4, QUAD_4, PlaneStrain, MeanDilation / MeanDilation, 2, 4, 4;
+    /// Quadrilateral in plane strain, one pressure an element; four of them in CalculiX.
+    CPE4: QUAD4, QUAD_4, PlaneStrain, MeanDilation / Plain, 2, 4, 4;
     /// Quadrilateral in plane strain with incompatible modes.
     CPE4I: QUAD4, QUAD_4, PlaneStrain, Incompatible / Incompatible, 2, 4, 4;
     /// Quadrilateral in plane strain of one point, with hourglass control.

@@ -83,11 +83,13 @@ fn distributed(text: &mut String, model: &Model, step: &Step) {
                 Pressed::Face(_) => "pressure on",
                 Pressed::Traction(own) => traction(own.follows()),
                 Pressed::Sections(_) => "force per length, which turns with its sections, on",
+                Pressed::Turning(_) => "turning, at the places of the nodes, of",
             },
             row.len(),
             match row[0].on {
                 Pressed::Face(_) | Pressed::Traction(_) => "faces goes",
                 Pressed::Sections(_) => "beam elements goes",
+                Pressed::Turning(_) => "elements goes",
             },
             range(least, most),
             amplitude(model, row[0].amplitude)

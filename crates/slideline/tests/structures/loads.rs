@@ -244,3 +244,34 @@ fn a_tie_carries_forces() {
     let loads = moment(1, [0.0, 0.0], [-0.1, 0.0]) + moment(4, [0.0, 1.0], [-0.1, 0.0]);
     assert!((supports + loads).abs() < 1e-6, "{supports} {loads}");
 }
+
+/// Requirement: with NLGEOM what turns is pulled outwards where it is. A point m on a spring k at the
+/// radius R moves by m omega^2 R/(k - m omega^2); of four elements the reactions along the radius
+/// are omega^2 int rho r dV at the present places, by the shares of their nodes. Source: Newton,
+/// docs/theory.md eq. (4.28). Tolerance: what iterations leave.
+#[test]
+fn what_turns_is_pulled_where_it_is() {
+    let spring = "*NODE, NSET=ALL\n1, 1., 0.\n2, 2., 0.\n3, 2., 1.\n*ELEMENT, TYPE=SPRINGA, ELSET=S\n1, 1, 2\n\
+        2, 1, 3\n*SPRING, ELSET=S\n\n100.\n*ELEMENT, TYPE=MASS, ELSET=P\n3, 2\n*MASS, ELSET=P\n3.\n\
+        *BOUNDARY\n1, 1, 2\n3, 1, 2\n2, 2\n*STEP, NLGEOM\n*STATIC\n*DLOAD\n\
+        P, CENTRIF, 4., 0., 0., 0., 0., 0., 1.\n*END STEP\n";
+    let end = solved(spring);
+    let [u, _] = end.motion[&2];
+    assert!((u - 24.0 / 88.0).abs() < 1e-9, "{u}");
+    let end = run(", NLGEOM", "*DLOAD\nB, CENTRIF, 9000., -1., 0., 0., 0., 1., 0.\n");
+    // shares of corners, sides and the middle of four equal elements; the radius counts from x = -1
+    let force: f64 = (0..9)
+        .map(|k| {
+            let share = [0.25, 0.5, 0.25][k % 3] * [0.25, 0.5, 0.25][k / 3];
+            let [u, _] = end.motion[&(1 + k as u64)];
+            share * (1.0 + (k % 3) as f64 + u)
+        })
+        .sum();
+    let force = 9000.0 * 0.002 * 6.0 * force;
+    let carried: f64 = [1, 4, 7].map(|node| end.reaction[&node][0]).iter().sum();
+    assert!((carried + force).abs() < 1e-6 * force, "{carried} {force}");
+    let at_rest = 9000.0 * 0.002 * 6.0 * 2.0;
+    assert!(force > 1.01 * at_rest, "far from at rest: {force} {at_rest}");
+    let iterations = end.totals.unwrap().iterations;
+    assert!(iterations <= 7, "{iterations}");
+}

@@ -280,6 +280,7 @@ fn loads_are_matched_by_place_and_kind() {
     for row in two(&first, &weight("B", UP, 6.0, aside), Abaqus) {
         faults.extend(fault(&row, &[(0.0, &down), (6.0 * up(row.time), &along)], "turned, curve"));
     }
+    let [down, along] = [below, aside].map(|way| of(Calculix, "B", way));
     for row in two(&first, &weight("B", UP, 6.0, aside), Calculix) {
         faults.extend(fault(&row, &[(4.0, &down), (6.0 * up(row.time), &along)], "beside"));
     }
