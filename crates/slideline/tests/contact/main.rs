@@ -36,6 +36,7 @@ mod ring_contact;
 mod roles_of_general_contact;
 mod rough_slaves;
 mod rubber_rings;
+mod seams;
 mod self_contact;
 mod self_contact_in_space;
 mod sharp_edges;
