@@ -12,7 +12,9 @@ use std::collections::HashMap;
 
 use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_model::{Dialect, Dof, Interaction, Model, Node, NodeIndex, Numbered, SavedStates};
+use slideline_model::{
+    Dialect, Dof, Interaction, Model, Node, NodeIndex, Numbered, NumberedSet, SavedStates,
+};
 
 use crate::axes::{Distribution, Orientation, Transform};
 use crate::constraints::{Coupling, Equation, Link, PreTension, ShapeMpc, Tie};
@@ -111,6 +113,12 @@ pub(crate) struct Draft {
     pub shape_mpcs: Vec<ShapeMpc>,
     /// Dofs that follow others, and where it was said; known when links are resolved.
     pub dependents: Numbered<(NodeIndex, Dof), Span>,
+    /// Ends of masters in pieces that are taken for one, and the complaint where they are not.
+    pub joined_ends: Vec<([NodeIndex; 2], Diagnostic)>,
+    /// Dofs of tied nodes that supports hold as they hold what they would follow, which is one node.
+    pub held_alike: Numbered<(NodeIndex, Dof), NodeIndex>,
+    /// Dofs that follow others which are held alike: their own supports say nothing new.
+    pub implied: NumberedSet<(NodeIndex, Dof)>,
     pub parts: Parts<Contents>,
     /// `*SYSTEM`: the axes in which coordinates of nodes are given.
     pub node_frame: Option<Frame>,

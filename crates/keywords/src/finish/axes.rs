@@ -10,6 +10,9 @@ use crate::draft::Draft;
 use crate::log::Target;
 use crate::rule::Subject;
 
+/// Roundings that products of axes may leave of a factor that is zero [1].
+const ROUNDINGS: f64 = 8.0;
+
 /// A dof with a factor.
 pub(super) type Term = (NodeIndex, Dof, f64);
 
@@ -87,10 +90,15 @@ impl Draft {
         self.axes_of(node).copied().unwrap_or_else(plain)[dof as usize % 3]
     }
 
-    /// Terms along the axes of the model as terms along those in which dofs are named.
+    /// Terms along the axes of the model as terms along those in which dofs are named. What rounding of
+    /// the axes leaves of a term is none: two nodes with the same axes follow one another dof by dof.
     pub(super) fn along_own_axes(&self, terms: Vec<Term>) -> Vec<Term> {
         if self.axes.is_empty() {
             return terms;
+        }
+        let mut sizes: HashMap<NodeIndex, f64> = HashMap::new();
+        for (node, _, factor) in terms.iter().filter(|(node, ..)| self.axes_of(*node).is_some()) {
+            *sizes.entry(*node).or_default() += factor.abs();
         }
         let directions = self.model.directions();
         let mut named: Vec<Term> = Vec::with_capacity(terms.len());
@@ -110,6 +118,8 @@ impl Draft {
                 }
             }
         }
+        let least = |node| ROUNDINGS * f64::EPSILON * sizes.get(&node).copied().unwrap_or_default();
+        named.retain(|&(node, _, factor)| factor.abs() >= least(node));
         named
     }
 

@@ -13,6 +13,7 @@ use slideline_model::{ContactElement, Formulation, NodeIndex, SlideLine};
 
 use super::chain::{Broken, Chain, Facet, Travel};
 use super::facing::places;
+use super::one_node::is_at;
 use crate::crossing::crossing;
 use crate::draft::Draft;
 use crate::rule::Subject;
@@ -27,8 +28,12 @@ pub(super) fn slide_line(
 ) -> Option<SlideLine> {
     let whole = one_face_each(pairing, facets, draft)?;
     let middles: Vec<_> = whole.iter().filter_map(|facet| facet.middle).collect();
-    let facets: Vec<Facet> = whole.iter().flat_map(Facet::parts).collect();
+    let mut facets: Vec<Facet> = whole.iter().flat_map(Facet::parts).collect();
     let found = match Chain::find(&facets) {
+        Err(broken @ Broken::Apart(_)) => {
+            let said = of_no_chain(pairing, surface, broken, draft);
+            joined(&mut facets, said, draft).ok_or(broken)
+        }
         Err(Broken::Loop(_)) if is_outline(&whole) => {
             Chain::ring(&facets, seam(&whole, slaves, draft))
         }
@@ -159,7 +164,52 @@ fn undecided(pairing: &Pairing, message: String, help: &str, draft: &mut Draft) 
     draft.consequence(Subject::Contact, error.help(help));
 }
 
+/// The chain of pieces of faces of solids, where an end of one is at the end of another: that node then
+/// stands for both. Whether they are one is known when links are: `said` is the complaint if not.
+fn joined(facets: &mut [Facet], said: Diagnostic, draft: &mut Draft) -> Option<Chain> {
+    if facets.iter().any(|facet| facet.face.is_none()) {
+        return None;
+    }
+    let mut joined = facets.to_vec();
+    let mut both = Vec::new();
+    let nodes: Vec<NodeIndex> = facets.iter().flat_map(|facet| facet.nodes).collect();
+    let mut count = std::collections::HashMap::new();
+    nodes.iter().for_each(|node| *count.entry(*node).or_insert(0) += 1);
+    let mut ends: Vec<(usize, NodeIndex)> = Vec::new();
+    for (k, &node) in nodes.iter().enumerate().filter(|(_, node)| count[*node] == 1) {
+        let near = |&&(other, end): &&(usize, NodeIndex)| {
+            is_at(node, end, &facets[k / 2].nodes, draft)
+                && is_at(node, end, &facets[other / 2].nodes, draft)
+        };
+        match ends.iter().find(near) {
+            Some(&(_, end)) => {
+                joined[k / 2].nodes[k % 2] = end;
+                both.push([node, end]);
+            }
+            None if ends.len() < MOST_ENDS => ends.push((k, node)),
+            None => return None,
+        }
+    }
+    let chain = Chain::find(&joined).ok()?;
+    facets.copy_from_slice(&joined);
+    draft.joined_ends.extend(both.into_iter().map(|both| (both, said.clone())));
+    Some(chain)
+}
+
+/// More ends of pieces than this are not compared with one another.
+const MOST_ENDS: usize = 1000;
+
 fn not_a_chain(pairing: &Pairing, surface: &NamedSurface, broken: Broken, draft: &mut Draft) {
+    let said = of_no_chain(pairing, surface, broken, draft);
+    draft.consequence(Subject::Elements, said);
+}
+
+fn of_no_chain(
+    pairing: &Pairing,
+    surface: &NamedSurface,
+    broken: Broken,
+    draft: &Draft,
+) -> Diagnostic {
     let label = |node| draft.model.nodes.label(node);
     let name = &pairing.master.name;
     let (message, help) = match broken {
@@ -177,8 +227,7 @@ fn not_a_chain(pairing: &Pairing, surface: &NamedSurface, broken: Broken, draft:
         ),
     };
     let error = Diagnostic::error(Code("SL0329"), message).at(pairing.master.span);
-    let error = error.label(surface.origin, "the surface").help(help);
-    draft.consequence(Subject::Elements, error);
+    error.label(surface.origin, "the surface").help(help)
 }
 
 /// So many stretches of slaves are looked at, evenly chosen, to tell their

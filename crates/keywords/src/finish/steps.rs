@@ -276,6 +276,9 @@ fn prescribe(line: &Boundary, into: &mut InForce<Prescribed, (NodeIndex, Dof)>, 
                 }
                 continue;
             }
+            if draft.implied.contains(&(node, dof)) {
+                continue;
+            }
             if let Some(&link) = draft.dependents.get(&(node, dof)) {
                 let label = draft.model.nodes.label(node);
                 let message =

@@ -18,6 +18,8 @@ use slideline_model::{Dialect, Dof, Kinematics, NodeIndex, NumberedSet};
 
 use super::equations::add;
 use super::faces::{faces, nodes_of_surface};
+use super::one_node::is_one;
+use super::supports::Supports;
 use crate::constraints::Tie;
 use crate::draft::Draft;
 use crate::rule::Subject;
@@ -34,13 +36,14 @@ pub(super) fn ties(draft: &mut Draft) {
         return;
     }
     let prescribed = super::steps::prescribed(draft);
+    let supports = Supports::new(draft);
     // a node that two ties name follows the first; where one moved, the tie that moved it
     let mut tied = HashMap::new();
     let mut left: VecDeque<&Tie> = ties.iter().collect();
     while let Some(tie) = left.pop_front() {
         let (same, others) = left.into_iter().partition(|other| is_one_with(tie, other));
         left = others;
-        one((tie, &same), &prescribed, &mut tied, draft);
+        one((tie, &same), (&prescribed, &supports), &mut tied, draft);
     }
     moved(&tied, draft);
 }
@@ -98,7 +101,7 @@ fn masters(tie: &Tie, draft: &mut Draft) -> Vec<Master> {
 /// A tie, with others of the same slave.
 fn one(
     (tie, same): (&Tie, &VecDeque<&Tie>),
-    prescribed: &NumberedSet<(NodeIndex, Dof)>,
+    (prescribed, supports): (&NumberedSet<(NodeIndex, Dof)>, &Supports),
     tied: &mut HashMap<NodeIndex, Option<Span>>,
     draft: &mut Draft,
 ) {
@@ -135,7 +138,7 @@ fn one(
     }
     for own in &near {
         tied.insert(own.node, tie.adjust.then_some(tie.origin));
-        follow(tie, own, (&masters, &means), prescribed, draft);
+        follow(tie, own, (&masters, &means), (prescribed, supports), draft);
     }
     if let Some(&first) = left.first() {
         let label = draft.model.nodes.label(first);
@@ -283,12 +286,13 @@ fn adjust(near: &[TiedNode], means: &Means, draft: &mut Draft) {
 }
 
 /// Makes the displacements of a node follow a mean or the nearest face. A dof that is prescribed on
-/// both sides of the tie is left to its support.
+/// both sides of the tie is left to its support; but where both sides are held alike in some of the
+/// steps only, it follows in all of them.
 fn follow(
     tie: &Tie,
     own: &TiedNode,
     (masters, means): (&[Master], &Means),
-    prescribed: &NumberedSet<(NodeIndex, Dof)>,
+    (prescribed, supports): (&NumberedSet<(NodeIndex, Dof)>, &Supports),
     draft: &mut Draft,
 ) {
     let node = own.node;
@@ -304,7 +308,18 @@ fn follow(
         let terms = draft.followed((node, dof), terms);
         let held = |&(own, dof, _): &(NodeIndex, Dof, f64)| prescribed.contains(&(own, dof));
         if prescribed.contains(&(node, dof)) && terms.iter().all(held) {
-            continue;
+            let is_implied = supports.is_implied((node, dof), &terms);
+            if !is_implied || supports.is_always((node, dof)) {
+                if let [(one, own, factor)] = terms[..]
+                    && is_implied
+                    && own == dof
+                    && is_one(factor)
+                {
+                    draft.held_alike.insert((node, dof), one);
+                }
+                continue;
+            }
+            draft.implied.insert((node, dof));
         }
         add(draft, (node, dof), terms, tie.origin);
     }

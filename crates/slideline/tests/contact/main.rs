@@ -37,6 +37,7 @@ mod roles_of_general_contact;
 mod rough_slaves;
 mod rounds;
 mod rubber_rings;
+mod seams;
 mod self_contact;
 mod self_contact_in_space;
 mod sharp_edges;

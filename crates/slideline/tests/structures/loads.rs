@@ -275,3 +275,53 @@ fn what_turns_is_pulled_where_it_is() {
     let iterations = end.totals.unwrap().iterations;
     assert!(iterations <= 7, "{iterations}");
 }
+
+/// Requirement: a tie holds where supports on both of its sides are let go together, or come later together: two
+/// blocks that are tied node by node are one block. The dof that both had prescribed was left free. Tolerance: what
+/// iterations leave.
+#[test]
+fn a_tie_holds_after_supports_on_both_sides() {
+    let block = "*NODE\n1, 0., 0.\n2, 0.5, 0.\n3, 1., 0.\n11, 0., 1.\n12, 0.5, 1.\n13, 1., 1.\n\
+                 111, 0., 2.\n112, 0.5, 2.\n113, 1., 2.\n";
+    let upper = "*NODE\n101, 0., 1.\n102, 0.5, 1.\n103, 1., 1.\n";
+    let rest = "*SOLID SECTION, ELSET=E, MATERIAL=M\n1.\n*MATERIAL, NAME=M\n*ELASTIC\n1000., 0.3\n\
+                *NSET, NSET=BOT\n1, 2, 3\n*NSET, NSET=TOP\n111, 112, 113\n";
+    let low = "*ELEMENT, TYPE=CPE4, ELSET=E\n1, 1, 2, 12, 11\n2, 2, 3, 13, 12\n";
+    let whole = format!(
+        "{block}{low}3, 11, 12, 112, 111\n4, 12, 13, 113, 112\n{rest}*NSET, NSET=LEFT\n11\n"
+    );
+    let tied = |kind: &str| {
+        format!(
+            "{block}{upper}{low}3, 101, 102, 112, 111\n4, 102, 103, 113, 112\n{rest}*NSET, NSET=LEFT\n\
+             11, 101\n*SURFACE, NAME=S\n3, S1\n4, S1\n*SURFACE, NAME=M\n1, S3\n2, S3\n*TIE, NAME=T{kind}\nS, M\n"
+        )
+    };
+    let held = "*STEP, NLGEOM\n*STATIC\n.5, 1.\n*BOUNDARY, OP=NEW\nBOT, 1, 2\nLEFT, 1, 1\nTOP, 2, 2, -0.05\n*END STEP\n";
+    let free = "*STEP, NLGEOM\n*STATIC\n.25, 1.\n*BOUNDARY, OP=NEW\nBOT, 1, 2\nTOP, 1, 1, 0.1\nTOP, 2, 2, -0.05\n*END STEP\n";
+    for steps in
+        [format!("{held}{free}"), format!("{free}{held}"), format!("{held}{free}{held}{free}")]
+    {
+        let end = |model: &str| {
+            let deck = format!("{model}{steps}");
+            let read = Job::read_text("tie", &deck, &ReadOptions::default());
+            let mut model = read.model.unwrap_or_else(|| panic!("{:#?}", read.diagnostics));
+            model.steps.iter_mut().for_each(|step| step.controls.field.r_n = 1e-12);
+            let mut end = End::default();
+            let ending = solve(&model, &SolveOptions::default(), &mut end);
+            assert!(matches!(ending, Ending::Completed(_)), "{ending:?}");
+            end
+        };
+        let exact = end(&whole);
+        for kind in ["", ", TYPE=NODE TO SURFACE"] {
+            let own = end(&tied(kind));
+            for node in [1, 2, 3, 11, 12, 13, 111, 112, 113] {
+                for k in 0..2 {
+                    let (a, b) = (own.motion[&node][k], exact.motion[&node][k]);
+                    assert!((a - b).abs() < 1e-10, "{kind} {node} {k} {a} {b}");
+                    let (a, b) = (own.reaction[&node][k], exact.reaction[&node][k]);
+                    assert!(node == 11 || (a - b).abs() < 1e-7, "{kind} {node} {k} {a} {b}");
+                }
+            }
+        }
+    }
+}

@@ -429,3 +429,59 @@ fn restarted_beyond_half_a_turn() {
     assert_eq!(whole.nodes, rest.nodes);
     assert_eq!(whole.energy.to_bits(), rest.energy.to_bits());
 }
+
+/// Requirement: a beam in space that heat presses between two clamps, in any direction, is solved in the increments
+/// that it is given, and pushes with EA a T. It does not move, so that nothing but its force tells how large a moment
+/// of rounding is: it was given up (SL0501). Source: docs/theory.md eq. (9.2). Tolerance: rounding.
+#[test]
+fn heat_presses_a_beam_between_clamps() {
+    for kind in ["B31", "B32"] {
+        for (axis, across) in [
+            ([0.36, 0.48, -0.8], [-0.8, 0.6, 0.0]),
+            ([2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0], [0.6, -0.8, 0.0]),
+        ] {
+            for size in [1e-3, 1.0, 25.4] {
+                let mut deck = String::from("*NODE, NSET=ALL\n");
+                for k in 0..=16 {
+                    let [x, y, z] = axis.map(|c: f64| c * size * 50.0 * f64::from(k) / 16.0);
+                    let _ = writeln!(deck, "{}, {x:?}, {y:?}, {z:?}", k + 1);
+                }
+                let _ = writeln!(deck, "*ELEMENT, TYPE={kind}, ELSET=E");
+                match kind {
+                    "B31" => (1..=16).for_each(|k| _ = writeln!(deck, "{k}, {k}, {}", k + 1)),
+                    _ => (0..8).for_each(|k| {
+                        _ = writeln!(
+                            deck,
+                            "{}, {}, {}, {}",
+                            k + 1,
+                            2 * k + 1,
+                            2 * k + 2,
+                            2 * k + 3
+                        );
+                    }),
+                }
+                let _ = write!(
+                    deck,
+                    "*BEAM SECTION, SECTION=RECT, ELSET=E, MATERIAL=M\n{:?}, {:?}\n{:?}, {:?}, {:?}\n\
+                     *MATERIAL, NAME=M\n*ELASTIC\n210000., 0.3\n*EXPANSION\n1e-5\n*STEP, NLGEOM, INC=5\n\
+                     *STATIC\n0.25, 1.\n*BOUNDARY\n1, 1, 6\n17, 1, 6\n*TEMPERATURE\nALL, 60.\n*END STEP\n",
+                    2.0 * size,
+                    3.0 * size,
+                    across[0],
+                    across[1],
+                    across[2]
+                );
+                let end = run(&deck);
+                assert_eq!(end.increments, 4, "{kind} {size}");
+                let exact = 210_000.0 * 6.0 * size * size * 6e-4;
+                let pushed = end.reaction(17);
+                for (k, own) in axis.iter().enumerate() {
+                    assert!(
+                        (pushed[k] + exact * own).abs() < 1e-10 * exact,
+                        "{kind} {pushed:?} {exact}"
+                    );
+                }
+            }
+        }
+    }
+}

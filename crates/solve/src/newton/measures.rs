@@ -137,7 +137,10 @@ impl Scratch {
         let seen = |field: usize| {
             ROUNDINGS * f64::EPSILON * committed.flux[field].largest_with(flux[field])
         };
-        let moments = elastic * plan.structure.stiffest_length + contact * reach;
+        // forces that balance round as they act over the length of an element: a beam that heat presses
+        // between two clamps moves nothing and has no moment, and rounds all the same
+        let length = plan.structure.stiffest_length;
+        let moments = elastic.max(seen(0)) * length + contact * reach;
         [(elastic + contact).max(seen(0)), moments.max(seen(1))]
     }
 

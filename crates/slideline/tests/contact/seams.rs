@@ -1,0 +1,229 @@
+//! Parts that ties, equations or `*MPC` join node by node are one part, also where contact meets the seam:
+//! forces are those of the mesh whose nodes are merged there.
+//!
+//! ```text
+//!        +-----+-----+
+//!        |  U  |  U  |          one of both blocks is cut, and its halves are joined
+//!   +----+-----s-----+----+
+//!   |    L     m     L    |     s, m: two nodes at one place on the surface of contact
+//!   +----------+----------+
+//! ```
+
+#![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
+
+use crate::space_decks::turn;
+use slideline::observe::Ending;
+use slideline::{Event, Job, Observer, ReadOptions, SolveOptions, Stop};
+use std::fmt::Write as _;
+use std::ops::ControlFlow;
+
+/// How halves are joined.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Joint {
+    Merged,
+    Tie,
+    TieOfNodes,
+    Equation,
+    Mpc,
+}
+
+const JOINTS: [Joint; 4] = [Joint::Tie, Joint::TieOfNodes, Joint::Equation, Joint::Mpc];
+
+/// What is pressed on what.
+#[derive(Clone, Copy, Debug)]
+struct Case {
+    in_space: bool,
+    over_faces: bool,
+    /// The lower block, the master, is cut, not the upper one.
+    cut_low: bool,
+    law: &'static str,
+}
+
+/// Forces on the slaves of all increments, and the number of contact rows of the last one.
+#[derive(Default)]
+struct Forces {
+    all: Vec<[f64; 3]>,
+    rows: usize,
+}
+
+impl Observer for Forces {
+    fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
+        if let Event::Committed(frame) = event {
+            self.all.extend(frame.pairs.iter().take(1).map(|pair| pair.force));
+            self.rows = frame.contact.len();
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// Columns and rows of elements of each block, and the column of nodes at which it is cut.
+const CELLS: [(usize, usize, usize); 2] = [(4, 2, 2), (3, 2, 1)];
+
+/// Nodes of a block whose elements are columns: label of the node of a column, row and layer; `right`:
+/// as the elements right of the cut have it.
+fn label(block: usize, (i, j, k): (usize, usize, usize), right: bool, joint: Joint) -> usize {
+    let second = right && joint != Joint::Merged && i == CELLS[block].2;
+    1000 * (block + 1) + 500 * usize::from(second) + 100 * k + 10 * i + j + 1
+}
+
+fn place(block: usize, (i, j, k): (usize, usize, usize), case: Case) -> [f64; 3] {
+    let (columns, rows, _) = CELLS[block];
+    let [u, v] = [i as f64 / columns as f64, j as f64 / rows as f64];
+    let z = 0.7 * k as f64;
+    let x = match block {
+        0 => [4.0 * u - 2.0, v - 1.0, z],
+        // a foot that is a little round, beside the middle
+        _ => [1.8 * u - 0.85, 0.02 * (1.0 - v) * (2.0 * u - 1.0).powi(2) + 0.8 * v, z],
+    };
+    if case.in_space { turn(x, 0.8) } else { x }
+}
+
+/// Nodes, elements, surfaces and the joint of a block; nodes held in sets named by `block`.
+fn write(deck: &mut String, block: usize, joint: Joint, case: Case) {
+    let (columns, rows, cut) = CELLS[block];
+    let layers = if case.in_space { 2 } else { 1 };
+    let own = |at, right| label(block, at, right, joint);
+    let mut held = String::new();
+    deck.push_str("*NODE, NSET=ALL\n");
+    for i in 0..=columns {
+        let sides: &[bool] =
+            if i == cut && joint != Joint::Merged { &[false, true] } else { &[i > cut] };
+        for (j, k) in (0..=rows).flat_map(|j| (0..layers).map(move |k| (j, k))) {
+            for &right in sides {
+                let [x, y, z] = place(block, (i, j, k), case);
+                let _ = writeln!(deck, "{}, {x:?}, {y:?}, {z:?}", own((i, j, k), right));
+                if j == if block == 0 { 0 } else { rows } {
+                    let _ = writeln!(held, "{}", own((i, j, k), right));
+                }
+            }
+        }
+    }
+    let kind = if case.in_space { "C3D8" } else { "CPE4" };
+    let _ = writeln!(deck, "*NSET, NSET=HELD{block}\n{held}*ELEMENT, TYPE={kind}, ELSET=E{block}");
+    let (mut surface, mut sides) = (String::new(), [String::new(), String::new()]);
+    let (side, along) = if case.in_space { (2, [4, 6]) } else { (0, [2, 4]) };
+    for (i, j) in (0..columns).flat_map(|i| (0..rows).map(move |j| (i, j))) {
+        let number = 1000 * (block + 1) + 10 * i + j + 1;
+        let corners = [(0, 0), (1, 0), (1, 1), (0, 1)];
+        let _ = write!(deck, "{number}");
+        for (k, (a, b)) in (0..layers).flat_map(|k| corners.map(move |own| (k, own))) {
+            let _ = write!(deck, ", {}", own((i + a, j + b, k), i >= cut));
+        }
+        deck.push('\n');
+        let contact = if block == 0 { rows - 1 } else { 0 };
+        if j == contact {
+            let _ = writeln!(surface, "{number}, S{}", side + if block == 0 { 3 } else { 1 });
+        }
+        if i + 1 == cut || i == cut {
+            let right = usize::from(i == cut);
+            let _ = writeln!(sides[right], "{number}, S{}", along[right]);
+        }
+    }
+    let _ = write!(
+        deck,
+        "*SOLID SECTION, ELSET=E{block}, MATERIAL=M\n*SURFACE, NAME=S{block}\n{surface}"
+    );
+    let nodes = (0..=rows).flat_map(|j| (0..layers).map(move |k| (cut, j, k)));
+    let both = nodes.map(|at| (at, [own(at, true), own(at, false)]));
+    // what is held cannot follow as well, but in *TIE
+    let is_held = |j: usize| j == if block == 0 { 0 } else { rows };
+    let free = both.filter(|((_, j, _), _)| !is_held(*j)).map(|(_, both)| both);
+    match joint {
+        Joint::Merged => {}
+        Joint::Tie | Joint::TieOfNodes => {
+            let by = if joint == Joint::Tie { "" } else { ", TYPE=NODE TO SURFACE" };
+            let [left, right] = sides;
+            let _ = write!(
+                deck,
+                "*SURFACE, NAME=LEFT\n{left}*SURFACE, NAME=RIGHT\n{right}*TIE, NAME=T{by}\nRIGHT, LEFT\n"
+            );
+        }
+        Joint::Equation => {
+            for ([one, other], dof) in free.flat_map(|own| [1, 2, 3].map(|dof| (own, dof))) {
+                if dof < 3 || case.in_space {
+                    let _ = writeln!(deck, "*EQUATION\n2\n{other}, {dof}, -2.5, {one}, {dof}, 2.5");
+                }
+            }
+        }
+        Joint::Mpc => free.for_each(|[one, other]| {
+            let _ = writeln!(deck, "*MPC\nTIE, {one}, {other}");
+        }),
+    }
+}
+
+/// The upper block is pressed on the lower one, drawn along it and back.
+fn solved(case: Case, joint: Joint) -> Forces {
+    let mut deck = String::from("*HEADING\nseams\n");
+    for block in 0..2 {
+        let is_cut = (block == 0) == case.cut_low;
+        write(&mut deck, block, if is_cut { joint } else { Joint::Merged }, case);
+    }
+    let (axes, last) = match case.in_space {
+        true => {
+            let [a, b] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(|e| turn(e, 0.8));
+            let of = |v: [f64; 3]| format!("{:?}, {:?}, {:?}", v[0], v[1], v[2]);
+            (format!("*TRANSFORM, NSET=ALL\n{}, {}\n", of(a), of(b)), 3)
+        }
+        false => (String::new(), 2),
+    };
+    let kind = if case.over_faces { "SURFACE" } else { "NODE" };
+    let _ = write!(
+        deck,
+        "{axes}*MATERIAL, NAME=M\n*ELASTIC\n1000., 0.3\n*SURFACE INTERACTION, NAME=I\n{}*FRICTION, \
+         ELASTIC SLIP=0.003\n0.4\n*CONTACT PAIR, INTERACTION=I, TYPE={kind} TO SURFACE\nS1, S0\n",
+        case.law
+    );
+    for [x, y] in [[0.0, -0.05], [0.15, -0.05], [-0.1, -0.03]] {
+        let _ = write!(
+            deck,
+            "*STEP, NLGEOM, INC=50\n*STATIC\n0.2, 1., 0.001, 0.2\n*CONTROLS, PARAMETERS=FIELD\n1e-10\n\
+             *BOUNDARY\nHELD0, 1, {last}\nHELD1, 1, {last}\nHELD1, 1, 1, {x:?}\nHELD1, 2, 2, {y:?}\n\
+             *END STEP\n"
+        );
+    }
+    let read = Job::read_text("seams", &deck, &ReadOptions::default());
+    let model = read.model.unwrap_or_else(|| panic!("{case:?} {joint:?} {:#?}", read.diagnostics));
+    let mut forces = Forces::default();
+    let ending = slideline::solve(&model, &SolveOptions::default(), &mut forces);
+    assert!(matches!(ending, Ending::Completed(_)), "{case:?} {joint:?} {ending:?}\n{deck}");
+    forces
+}
+
+/// Requirement: halves that *TIE, equations or *MPC join node by node press and rub as the whole, as slave and as master,
+/// in the plane and in space, with hard and soft contact, at nodes and over faces. Two points of hard
+/// contact at one place shared the force at will, and friction began anew at whichever took it; a master
+/// in the plane was refused (SL0329), and in space its seam was an edge. Tolerance: what iterations leave.
+#[test]
+fn a_seam_is_no_edge() {
+    let soft = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1e4\n";
+    for law in ["", soft] {
+        for k in 0..8 {
+            let [in_space, over_faces, cut_low] = [k & 1, k & 2, k & 4].map(|bit| bit != 0);
+            let case = Case { in_space, over_faces, cut_low, law };
+            let whole = solved(case, Joint::Merged);
+            let most = whole.all.iter().flatten().fold(0.0_f64, |most, f| most.max(f.abs()));
+            for joint in JOINTS {
+                let own = solved(case, joint);
+                assert_eq!(own.rows, whole.rows, "{case:?} {joint:?}");
+                assert_eq!(own.all.len(), whole.all.len(), "{case:?} {joint:?}");
+                for (a, b) in own.all.iter().flatten().zip(whole.all.iter().flatten()) {
+                    assert!((a - b).abs() < 1e-7 * most, "{case:?} {joint:?} {a} {b}");
+                }
+            }
+        }
+    }
+}
+
+/// Requirement: faces that end at one place and are not joined there are no master: SL0329.
+#[test]
+fn pieces_that_only_touch_are_no_chain() {
+    let deck = "*NODE\n1, 0., 0.\n2, 1., 0.\n3, 1., 1.\n4, 0., 1.\n5, 1., 0.\n6, 2., 0.\n7, 2., 1.\n8, 1., 1.\n\
+         11, 0.5, 1.\n12, 1.5, 1.\n13, 1.5, 2.\n14, 0.5, 2.\n*ELEMENT, TYPE=CPE4, ELSET=E\n1, 1, 2, 3, 4\n\
+         2, 5, 6, 7, 8\n3, 11, 12, 13, 14\n*SOLID SECTION, ELSET=E, MATERIAL=M\n1.\n*MATERIAL, NAME=M\n\
+         *ELASTIC\n1000., 0.3\n*SURFACE, NAME=TOP\n1, S3\n2, S3\n*SURFACE, NAME=FOOT\n3, S1\n\
+         *SURFACE INTERACTION, NAME=I\n1.\n*CONTACT PAIR, INTERACTION=I\nFOOT, TOP\n*STEP\n*STATIC\n1., 1.\n\
+         *BOUNDARY\n1, 1, 2\n2, 1, 2\n5, 1, 2\n6, 1, 2\n13, 1, 2\n14, 1, 2\n*END STEP\n";
+    let read = Job::read_text("pieces", deck, &ReadOptions::default());
+    assert!(read.model.is_none());
+    assert!(read.diagnostics.iter().any(|own| own.code.0 == "SL0329"), "{:#?}", read.diagnostics);
+}
