@@ -58,8 +58,7 @@ const INSIDE: f64 = 1e-9;
 const TIE: f64 = 1e-12;
 
 /// Parameter of the projection of `point` on the quadratic Bezier curve through `control`, in
-/// [0, 1] up to [`INSIDE`]; `None` if the point does not face it. Newton with bisection on
-/// F(s) = (x - B).B', which falls through zero at a nearest point.
+/// [0, 1] up to [`INSIDE`]; `None` if the point does not face it.
 fn project_quadratic(control: &[Point; 3], point: Point) -> Option<f64> {
     // F/2 by powers of s, about the first point: (w - 2 s d - s^2 c) . (d + s c)
     let (w, d) = (sub(point, control[0]), sub(control[1], control[0]));
@@ -69,11 +68,17 @@ fn project_quadratic(control: &[Point; 3], point: Point) -> Option<f64> {
         let f = f0 + s * (f1 + s * (f2 + s * f3));
         (f, f1 + s * (2.0 * f2 + 3.0 * s * f3))
     };
-    let (mut low, mut high) = (-INSIDE, 1.0 + INSIDE);
+    nearest_parameter(value, (0.0, 1.0))
+}
+
+/// Parameter of the nearest point of a curve, in this range up to [`INSIDE`]; `None` where the range has
+/// none. `value` is F = (x - B).B' with its slope, which falls through zero there. Newton with bisection.
+fn nearest_parameter(value: impl Fn(f64) -> (f64, f64), (low, high): (f64, f64)) -> Option<f64> {
+    let mut s = 0.5 * (low + high);
+    let (mut low, mut high) = (low - INSIDE, high + INSIDE);
     if value(low).0 < 0.0 || value(high).0 > 0.0 {
         return None;
     }
-    let mut s = 0.5;
     for _ in 0..80 {
         let (f, slope) = value(s);
         if f >= 0.0 {

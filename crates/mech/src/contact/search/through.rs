@@ -9,7 +9,7 @@
 //!
 //! docs/theory.md section 5.3. (derived)
 
-use super::{INSIDE, Point, cross, dot, flat, sub};
+use super::{Point, cross, dot, flat, nearest_parameter, sub};
 
 /// Turn up to which two segments are taken for straight [rad].
 const STRAIGHT: f64 = 1e-3;
@@ -140,12 +140,12 @@ fn curve(joined: &[bool], lengths: &[f64], part: usize) -> Option<Curve> {
 
 impl Curve {
     /// Parameter at which a point faces the curve, in a range of it; `None` where it does not. `positions` are
-    /// those of all nodes. Newton with bisection on the distance, as of a parabola.
+    /// those of all nodes.
     pub(super) fn project(
         &self,
         positions: &[[f64; 3]],
         point: Point,
-        (low, high): (f64, f64),
+        range: (f64, f64),
     ) -> Option<f64> {
         let polynomial = self.polynomial(positions);
         let value = |s: f64| {
@@ -153,26 +153,7 @@ impl Curve {
             let apart = sub(point, x);
             (dot(apart, first), dot(apart, second) - dot(first, first))
         };
-        let (mut low, mut high) = (low - INSIDE, high + INSIDE);
-        if value(low).0 < 0.0 || value(high).0 > 0.0 {
-            return None;
-        }
-        let mut s = 0.5 * (low + high);
-        for _ in 0..80 {
-            let (f, slope) = value(s);
-            if f >= 0.0 {
-                low = s;
-            } else {
-                high = s;
-            }
-            let newton = s - f / slope;
-            if (newton - s).abs() <= 2.0 * f64::EPSILON {
-                s = newton;
-                break;
-            }
-            s = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-        }
-        (s.is_finite() && value(s).1 < 0.0).then_some(s)
+        nearest_parameter(value, range)
     }
 
     /// The place of the curve at a parameter, and its derivative by that [L].
