@@ -130,6 +130,9 @@ impl Contact {
         nearest.resize(self.slave_faces.len(), None);
         rises.clear();
         rises.resize(self.slave_faces.len(), 0.0);
+        if rises.is_empty() {
+            return;
+        }
         still.resize(dofs, 0.0);
         for place in (0..self.points.len()).filter(|&place| !self.points[place].faces.is_empty()) {
             let normal = mean(self.faces_about(place, still).map(|own| own.normal));

@@ -60,7 +60,8 @@ impl Through {
         let count = lengths.len() + 1;
         let Self { joined, curves, turns } = self;
         joined.clear();
-        joined.extend((0..count).map(|node| is_joined(turns, node)));
+        // a curve follows four nodes
+        joined.extend((0..count).map(|node| count >= CONTROLS && is_joined(turns, node)));
         curves.clear();
         let all = (0..lengths.len()).map(|part| curve(joined, lengths, part));
         curves.extend(all);
@@ -106,7 +107,7 @@ fn is_joined(turns: &[f64], node: usize) -> bool {
 /// The curve between two nodes of which one is joined at least.
 fn curve(joined: &[bool], lengths: &[f64], part: usize) -> Option<Curve> {
     let ends = [joined[part], joined[part + 1]];
-    if joined.len() < CONTROLS || ends == [false; 2] {
+    if ends == [false; 2] {
         return None;
     }
     let first = part.saturating_sub(1).min(joined.len() - CONTROLS);

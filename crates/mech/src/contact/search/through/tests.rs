@@ -75,6 +75,8 @@ fn ridges_and_chamfers_are_drawn() {
     assert_eq!(joined(&corner), [false, true, false, true, true, false]);
     let zigzag = [[0.0, 0.0], [1.0, 0.2], [2.0, 0.0], [3.0, 0.2], [4.0, 0.0], [5.0, 0.2]];
     assert_eq!(joined(&zigzag), [false; 6]);
+    // two segments have a corner between them, not a curve
+    assert_eq!(joined(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]]), [false; 3]);
     let arc = [
         [-2.0, -1.0],
         [-1.0, -1.0],
