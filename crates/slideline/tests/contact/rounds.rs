@@ -150,6 +150,67 @@ fn a_shrink_fit_is_the_same_turned_and_in_other_units() {
     assert!((here / there - 1.0).abs() < 1e-9, "{here} {there}");
 }
 
+/// Two whole rings of so many chords, one shrunk on the other, whose bore turns against the outside by 0.3 in six
+/// increments; the slave named.
+fn turning_rings([inner, outer]: [usize; 2], slave: &str) -> String {
+    let [a, b, c] = RADII;
+    let mut deck = String::from("*HEADING\nturning rings\n");
+    let rings = [
+        ("INNER", inner, 1, [a, b + 0.5 * OVERLAP], ("S2", DEEP - 1)),
+        ("OUTER", outer, 10_001, [b - 0.5 * OVERLAP, c], ("S4", 0)),
+    ];
+    for (name, around, first, [from, to], (face, row)) in rings {
+        let node = |i: usize, j: usize| first + i * around + j % around;
+        deck.push_str("*NODE\n");
+        for (i, j) in (0..=DEEP).flat_map(|i| (0..around).map(move |j| (i, j))) {
+            let r = from + (to - from) * i as f64 / DEEP as f64;
+            let (s, c) = (4.0 * FRAC_PI_2 * j as f64 / around as f64).sin_cos();
+            let _ = writeln!(deck, "{}, {:?}, {:?}", node(i, j), r * c, r * s);
+        }
+        let _ = writeln!(deck, "*ELEMENT, TYPE=CPE4, ELSET={name}");
+        for (i, j) in (0..DEEP).flat_map(|i| (0..around).map(move |j| (i, j))) {
+            let nodes = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|(i, j)| node(i, j));
+            let nodes = nodes.map(|node| node.to_string()).join(", ");
+            let _ = writeln!(deck, "{}, {nodes}", first + i * around + j);
+        }
+        let _ =
+            writeln!(deck, "*SOLID SECTION, ELSET={name}, MATERIAL=M\n1.0\n*SURFACE, NAME={name}");
+        (0..around).for_each(|j| {
+            let _ = writeln!(deck, "{}, {face}", first + row * around + j);
+        });
+        let side = if name == "INNER" { node(0, 0) } else { node(DEEP, 0) };
+        let _ = writeln!(deck, "*NSET, NSET={name}-HELD, GENERATE\n{side}, {}", side + around - 1);
+    }
+    let master = if slave == "INNER" { "OUTER" } else { "INNER" };
+    deck + &format!(
+        "*NODE\n99999, 0.0, 0.0\n*RIGID BODY, REF NODE=99999, TIE NSET=INNER-HELD\n\
+         *MATERIAL, NAME=M\n*ELASTIC\n{MODULUS}, {POISSON}\n*SURFACE INTERACTION, NAME=I\n*FRICTION\n0.1\n\
+         *CONTACT PAIR, INTERACTION=I, TYPE=NODE TO SURFACE\n{slave}, {master}\n*BOUNDARY\nOUTER-HELD, 1, 2\n\
+         99999, 1, 2\n*STEP, NLGEOM\n*STATIC\n1.0, 1.0\n*BOUNDARY\n99999, 6\n*END STEP\n\
+         *STEP, NLGEOM\n*STATIC\n0.1, 0.6, , 0.1\n*BOUNDARY\n99999, 6, 6, 0.3\n*END STEP\n"
+    )
+}
+
+/// Requirement: a ring that turns in another one is rubbed by mu times its pressure all round, over the seam of the
+/// master too: all nodes are closed and slip, with the friction of their pressures, and both roles have one pressure.
+/// At the seam a node faced nothing, or had slipped all round; 1 to 16 nodes of 32 carried the ring.
+#[test]
+fn rings_turn_in_one_another_over_their_seam() {
+    let mean = |slave: &str| {
+        let last = solved(&turning_rings([32, 44], slave));
+        let nodes = if slave == "INNER" { 32 } else { 44 };
+        let closed: Vec<_> = last.contact.iter().filter(|row| row.pressure > 0.0).collect();
+        assert_eq!(closed.len(), nodes, "{slave}");
+        for row in &closed {
+            let rubbed = row.shear.0[0].abs() / row.pressure;
+            assert!((rubbed - 0.1).abs() < 1e-6, "{slave}: {rubbed} at {}", row.node);
+        }
+        closed.iter().map(|row| row.pressure).sum::<f64>() / nodes as f64
+    };
+    let [inner, outer] = ["INNER", "OUTER"].map(mean);
+    assert!((inner / outer - 1.0).abs() < 0.03, "{inner} {outer}");
+}
+
 /// Two blocks of five elements, as high as 1, that meet along a parabola which rises by `rise`; pressed by a fiftieth
 /// and drawn along by as much.
 fn curved_joint(rise: f64, (also, friction): (&str, &str)) -> String {

@@ -30,6 +30,8 @@ const BARE_VALLEY: f64 = 1e-4;
 /// Turn up to which a ridge counts as a valley [rad]: what is flat turns to and fro by its strains.
 const FLAT: f64 = 1e-3;
 
+/// Part of the segments by which those at the seam of a ring are prolonged [1].
+const SEAM: f64 = 0.01;
 /// By how much farther than its nodes a curve may reach from one of them, in parts of the segment [1].
 const BULGE: f64 = 0.25;
 
@@ -404,10 +406,25 @@ impl Chain {
 
     /// Range of the straight part's parameter.
     fn range(&self, positions: &[[f64; 3]], index: usize) -> (f64, f64) {
-        let low = if index == 0 { -self.extension } else { self.cut(positions, index) };
-        let last = index + 1 == self.lengths.len();
-        let beyond = if last { self.extension } else { -self.cut(positions, index + 1) };
-        (low, 1.0 + beyond)
+        let last = self.lengths.len();
+        let beyond = |node: usize| match node == 0 || node == last {
+            true => self.beyond_ends(positions),
+            false => -self.cut(positions, node),
+        };
+        (-beyond(index), 1.0 + beyond(index + 1))
+    }
+
+    /// Part of the end segments by which they are prolonged [1]: those of a ring that does not turn away at its
+    /// seam a little, so that what sinks in there faces one of them.
+    fn beyond_ends(&self, positions: &[[f64; 3]]) -> f64 {
+        let nodes = [positions.len() - 2, 0, 1].map(|node| positions[node]);
+        let is_ring = positions.first() == positions.last();
+        if is_ring && is_valley(&nodes, 1) { self.extension.max(SEAM) } else { self.extension }
+    }
+
+    /// The length after which it comes back to its beginning [L], where it does.
+    pub fn period(&self, reference: [[f64; 3]; 2]) -> Option<f64> {
+        (reference[0] == reference[1]).then(|| self.arc_coordinate(self.lengths.len()))
     }
 
     /// Part of both segments that the corner at a node between them takes [1]: nothing of a ridge that is
