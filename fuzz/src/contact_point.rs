@@ -66,7 +66,7 @@ const OFFSET: Offset = Offset { slave: 0.1, master: 0.05 };
 fn chain(nodes: &[[f64; 2]], smoothing: f64, point: [f64; 2]) {
     let nodes: Vec<_> = nodes.iter().copied().map(raised).collect();
     let (nodes, point) = (&nodes[..], raised(point));
-    let Some(chain) = Chain::new(nodes, Some(smoothing).filter(|own| *own != 0.0), 0.1) else {
+    let Some(chain) = Chain::new(nodes, Some(smoothing).filter(|own| *own < 0.4), 0.1) else {
         return;
     };
     let Some(piece) = chain.closest(nodes, Nearby::Positions, point) else { return };

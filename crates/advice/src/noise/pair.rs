@@ -251,7 +251,8 @@ impl Pair {
             self.name
         );
         Some(Diagnostic::warning(Code("SL0622"), message).at(self.origin).help(
-            "give SMOOTH=0 where the corner is one of the part, or mesh the master with shorter segments at the corner",
+            "leave SMOOTH out where the corner is one of the part (*SLIDE LINE: SMOOTH=0), or mesh the master with shorter \
+             segments at the corner",
         ))
     }
 

@@ -95,7 +95,6 @@ pub(crate) struct Material {
     /// Tests of a rubber, in the order of the deck.
     pub tests: Vec<Test>,
     /// Mass per volume [M/L3]; `None` in it: unreadable.
-    /// [M/L3]; `None` in it: unreadable.
     pub density: Option<(Option<Table<f64>>, Card)>,
     pub origin: Span,
 }

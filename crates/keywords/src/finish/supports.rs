@@ -9,12 +9,14 @@ use crate::draft::{Boundary, Draft};
 /// How often products of factors that add up to one may be off [1].
 const ROUNDINGS: f64 = 64.0;
 
+/// A step in which a line, by its place, begins to hold a dof, or none does any longer.
+type Change = (usize, Option<usize>);
+
 /// Every dof that some step, or the deck before the first one, prescribes, with what happens to it.
 #[derive(Default)]
 pub(super) struct Supports {
     lines: Vec<Boundary>,
-    /// Steps in which a line begins to hold the dof, or none does any longer.
-    changes: HashMap<(NodeIndex, Dof), Vec<(usize, Option<usize>)>>,
+    changes: HashMap<(NodeIndex, Dof), Vec<Change>>,
 }
 
 impl Supports {

@@ -407,19 +407,22 @@ impl Chain {
     /// Range of the straight part's parameter.
     fn range(&self, positions: &[[f64; 3]], index: usize) -> (f64, f64) {
         let last = self.lengths.len();
+        // a curve beside a rounded valley leaves the chord, along which that begins, a little
+        let lap = if self.curve(index).is_some() { 0.9 } else { 1.0 };
         let beyond = |node: usize| match node == 0 || node == last {
             true => self.beyond_ends(positions),
-            false => -self.cut(positions, node),
+            false => -lap * self.cut(positions, node),
         };
         (-beyond(index), 1.0 + beyond(index + 1))
     }
 
-    /// Part of the end segments by which they are prolonged [1]: those of a ring that does not turn away at its
-    /// seam a little, so that what sinks in there faces one of them.
+    /// Part of the end segments by which they are prolonged [1]: those of a ring that is drawn as a curve or does
+    /// not turn away at its seam a little, so that what stands there faces one of them.
     fn beyond_ends(&self, positions: &[[f64; 3]]) -> f64 {
         let nodes = [positions.len() - 2, 0, 1].map(|node| positions[node]);
         let is_ring = positions.first() == positions.last();
-        if is_ring && is_valley(&nodes, 1) { self.extension.max(SEAM) } else { self.extension }
+        let joins = is_ring && (self.curve(0).is_some() || is_valley(&nodes, 1));
+        if joins { self.extension.max(SEAM) } else { self.extension }
     }
 
     /// The length after which it comes back to its beginning [L], where it does.

@@ -125,16 +125,17 @@ fn curve(joined: &[bool], lengths: &[f64], part: usize) -> Option<Curve> {
         chord(at, own * before / (whole * behind), &mut weights);
         weights
     };
-    // of the parabola that has the other tangent
-    let of_end = |other: [f64; CONTROLS]| {
-        let mut weights = other.map(|weight| -weight);
-        chord(begin, 2.0, &mut weights);
+    // a corner has the chord's: so its wedge and its rounding join; an end that of the parabola with the other tangent
+    let of_end = |node: usize, other: [f64; CONTROLS]| {
+        let is_corner = node != 0 && node != lengths.len();
+        let mut weights = if is_corner { [0.0; CONTROLS] } else { other.map(|weight| -weight) };
+        chord(begin, if is_corner { 1.0 } else { 2.0 }, &mut weights);
         weights
     };
     let tangents = match ends {
         [true, true] => [of_node(part), of_node(part + 1)],
-        [true, false] => [of_node(part), of_end(of_node(part))],
-        _ => [of_end(of_node(part + 1)), of_node(part + 1)],
+        [true, false] => [of_node(part), of_end(part + 1, of_node(part))],
+        _ => [of_end(part, of_node(part + 1)), of_node(part + 1)],
     };
     Some(Curve { first, begin, tangents })
 }

@@ -111,3 +111,34 @@ fn every_point_faces_the_curve() {
     let far = on_circle(1.0, [-10.0].into_iter())[0];
     assert_eq!(chain.closest(&nodes, Nearby::Positions, far), None);
 }
+
+/// Requirement: every place about a valley between two domes, and about a ridge between two hollows, outside and inside,
+/// faces a piece: curves, roundings and wedges leave no sector between them. (Nearer to the bottom of so steep a valley than
+/// its rounding reaches, places outside have none.)
+#[test]
+fn nothing_is_left_between_curves_and_corners() {
+    let arc = |mirrored: bool, k: i32| {
+        let (s, c) = f64::to_radians(165.0 - 15.0 * f64::from(k)).sin_cos();
+        [c + if mirrored { 1.0 } else { -1.0 }, s - f64::to_radians(15.0).sin(), 0.0]
+    };
+    let out = f64::to_radians(15.0).cos();
+    // two domes side by side meet at the origin
+    let domes: Vec<_> = (0..=10)
+        .map(|k| [arc(false, k)[0] + 1.0 - out, arc(false, k)[1], 0.0])
+        .chain((1..=10).map(|k| [arc(true, k)[0] - 1.0 + out, arc(true, k)[1], 0.0]))
+        .collect();
+    let hollows: Vec<_> = domes.iter().map(|&[x, y, z]| [x, -y, z]).collect();
+    for (name, nodes) in [("domes", domes), ("hollows", hollows)] {
+        let chain = drawn(&nodes);
+        assert!(!chain.is_joined(10) && chain.is_joined(9) && chain.is_joined(11), "{name}");
+        for radius in [0.01, 0.1] {
+            for k in 0..3600 {
+                let [point] = on_circle(radius, std::iter::once(0.1 * f64::from(k)))[..] else {
+                    panic!()
+                };
+                let piece = chain.closest(&nodes, Nearby::Positions, point);
+                assert!(piece.is_some(), "{name} {radius} {k}");
+            }
+        }
+    }
+}
