@@ -78,11 +78,10 @@ fn place(block: usize, (i, j, k): (usize, usize, usize), case: Case) -> [f64; 3]
     if case.in_space { turn(x, 0.8) } else { x }
 }
 
-/// Nodes, elements, surfaces and the joint of a block; nodes held in sets named by `block`.
-fn write(deck: &mut String, block: usize, joint: Joint, case: Case) {
+/// Nodes of a block, those that are held in a set of their own.
+fn write_nodes(deck: &mut String, block: usize, joint: Joint, case: Case) {
     let (columns, rows, cut) = CELLS[block];
     let layers = if case.in_space { 2 } else { 1 };
-    let own = |at, right| label(block, at, right, joint);
     let mut held = String::new();
     deck.push_str("*NODE, NSET=ALL\n");
     for i in 0..=columns {
@@ -91,15 +90,30 @@ fn write(deck: &mut String, block: usize, joint: Joint, case: Case) {
         for (j, k) in (0..=rows).flat_map(|j| (0..layers).map(move |k| (j, k))) {
             for &right in sides {
                 let [x, y, z] = place(block, (i, j, k), case);
-                let _ = writeln!(deck, "{}, {x:?}, {y:?}, {z:?}", own((i, j, k), right));
-                if j == if block == 0 { 0 } else { rows } {
-                    let _ = writeln!(held, "{}", own((i, j, k), right));
+                let node = label(block, (i, j, k), right, joint);
+                let _ = writeln!(deck, "{node}, {x:?}, {y:?}, {z:?}");
+                if is_held(block, j) {
+                    let _ = writeln!(held, "{node}");
                 }
             }
         }
     }
+    let _ = write!(deck, "*NSET, NSET=HELD{block}\n{held}");
+}
+
+/// Whether the nodes of a row of a block are held.
+fn is_held(block: usize, row: usize) -> bool {
+    row == if block == 0 { 0 } else { CELLS[block].1 }
+}
+
+/// Nodes, elements, surfaces and the joint of a block; nodes held in sets named by `block`.
+fn write(deck: &mut String, block: usize, joint: Joint, case: Case) {
+    let (columns, rows, cut) = CELLS[block];
+    let layers = if case.in_space { 2 } else { 1 };
+    let own = |at, right| label(block, at, right, joint);
+    write_nodes(deck, block, joint, case);
     let kind = if case.in_space { "C3D8" } else { "CPE4" };
-    let _ = writeln!(deck, "*NSET, NSET=HELD{block}\n{held}*ELEMENT, TYPE={kind}, ELSET=E{block}");
+    let _ = writeln!(deck, "*ELEMENT, TYPE={kind}, ELSET=E{block}");
     let (mut surface, mut sides) = (String::new(), [String::new(), String::new()]);
     let (side, along) = if case.in_space { (2, [4, 6]) } else { (0, [2, 4]) };
     for (i, j) in (0..columns).flat_map(|i| (0..rows).map(move |j| (i, j))) {
@@ -123,11 +137,17 @@ fn write(deck: &mut String, block: usize, joint: Joint, case: Case) {
         deck,
         "*SOLID SECTION, ELSET=E{block}, MATERIAL=M\n*SURFACE, NAME=S{block}\n{surface}"
     );
-    let nodes = (0..=rows).flat_map(|j| (0..layers).map(move |k| (cut, j, k)));
-    let both = nodes.map(|at| (at, [own(at, true), own(at, false)]));
+    join(deck, sides, block, joint, case);
+}
+
+/// The joint of a block, whose faces on both sides of the cut are listed.
+fn join(deck: &mut String, sides: [String; 2], block: usize, joint: Joint, case: Case) {
+    let (_, rows, cut) = CELLS[block];
+    let layers = if case.in_space { 2 } else { 1 };
     // what is held cannot follow as well, but in *TIE
-    let is_held = |j: usize| j == if block == 0 { 0 } else { rows };
-    let free = both.filter(|((_, j, _), _)| !is_held(*j)).map(|(_, both)| both);
+    let free = (0..=rows).filter(|&j| !is_held(block, j));
+    let nodes = free.flat_map(|j| (0..layers).map(move |k| (cut, j, k)));
+    let free = nodes.map(|at| [true, false].map(|right| label(block, at, right, joint)));
     match joint {
         Joint::Merged => {}
         Joint::Tie | Joint::TieOfNodes => {

@@ -9,11 +9,11 @@
 //! ```
 //!
 //! Where nothing else is said, segments that are chords of something round are drawn as curves through
-//! their nodes ([`super::through`]). With smoothing the pieces join with a common tangent, so that no point near the chain lacks a
-//! facing piece. Without it a point in the wedge at a ridge faces the nearer of the two straight parts,
-//! each taken as prolonged to the bisector: the gap stays continuous, its normal jumps there. A valley is
-//! rounded over next to nothing: each of its segments pushes a node to the other one, and what holds it
-//! has a normal between theirs.
+//! their nodes ([`super::through`]). With smoothing the pieces join with a common tangent, so that no
+//! point near the chain lacks a facing piece. Without it a point in the wedge at a ridge faces the nearer
+//! of the two straight parts, each taken as prolonged to the bisector: the gap stays continuous, its
+//! normal jumps there. A valley is rounded over next to nothing: each of its segments pushes a node to
+//! the other one, and what holds it has a normal between theirs.
 
 use super::through::{CONTROLS, Curve, Through};
 use super::tree::{Bounds, BoxTree};
@@ -25,7 +25,7 @@ pub use super::{flat, raised};
 /// segment times the sine of half its turn.
 const VALLEY: f64 = 0.005;
 /// The same of a chain without smoothing [1], where many may be chords of something round on which nodes stand: a
-/// two thousandth of what its arc rises over a chord.
+/// five thousandth of what its arc rises over a chord.
 const BARE_VALLEY: f64 = 1e-4;
 /// Turn up to which a ridge counts as a valley [rad]: what is flat turns to and fro by its strains.
 const FLAT: f64 = 1e-3;
