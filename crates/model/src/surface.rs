@@ -132,6 +132,13 @@ pub struct SlideLine {
     pub origin: Span,
 }
 
+impl SlideLine {
+    /// Whether it comes back to its first node.
+    pub fn is_ring(&self) -> bool {
+        self.nodes.len() > 2 && self.nodes.first() == self.nodes.last()
+    }
+}
+
 /// A surface that meets itself.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OwnSurface {

@@ -188,8 +188,9 @@ fn settings(model: &Model) -> Value {
     for pair in &model.contact_pairs {
         if let Master::SlideLine(chain) = &pair.master {
             let card = format!("*SLIDE LINE {}", pair.name);
-            if let Some(smooth) = chain.smooth {
-                list.number(&card, "SMOOTH", smooth, 0.0);
+            match chain.smooth {
+                Some(smooth) => list.number(&card, "SMOOTH", smooth, 0.0),
+                None => list.say(&card, "SMOOTH", "through the nodes where it is round", true),
             }
             list.number(&card, "EXTENSION ZONE", chain.extension, 0.1);
         }

@@ -57,10 +57,9 @@ impl Keyword for ContactPair {
         }
         let formulation = formulation(card, draft);
         let adjust = adjust(card, &mut draft.log);
-        let smooth = match draft.dialect {
-            Dialect::Abaqus if !card.has("SMOOTH") => None,
-            _ => Some(smooth(card, 0.0, draft)),
-        };
+        // that program knows no rounding
+        let absent = (draft.dialect == Dialect::Calculix).then_some(0.0);
+        let smooth = smooth(card, draft).or(absent);
         let extension = extension(card, draft);
         let Some(interaction) = card.named("INTERACTION") else { return };
         if card.first_line("slave surface, master surface", &mut draft.log).is_none() {

@@ -51,7 +51,7 @@ impl Keyword for SlideLine {
             let note = Diagnostic::note(Code("SL0239"), message).at(card.span());
             draft.log.push(note.help("SMOOTH=0.25 rounds them over a quarter of each segment"));
         }
-        let smooth = smooth(card, 0.0, draft);
+        let smooth = smooth(card, draft).unwrap_or(0.0);
         let extension = extension(card, draft);
         let Some(set) = card.name("ELSET") else { return };
         if card.first_line("the master nodes", &mut draft.log).is_none() {
@@ -70,16 +70,15 @@ impl Keyword for SlideLine {
     }
 }
 
-/// The fraction of each segment that a corner takes; `absent` without `SMOOTH`.
-pub(crate) fn smooth(card: &Reading<'_>, absent: f64, draft: &mut Draft) -> f64 {
-    let Some(value) = card.number("SMOOTH", &mut draft.log) else { return absent };
-    let value = value.unwrap_or(absent);
+/// The fraction of each segment that a corner takes, `SMOOTH`; `None` where it is absent or wrong.
+pub(crate) fn smooth(card: &Reading<'_>, draft: &mut Draft) -> Option<f64> {
+    let value = card.number("SMOOTH", &mut draft.log)??;
     if !(0.0..0.5).contains(&value) {
         let message = format!("SMOOTH={value} is not at least 0 and less than 0.5");
         draft.log.error("SL0238", message, card.span_of("SMOOTH"));
-        return absent;
+        return None;
     }
-    value
+    Some(value)
 }
 
 /// The prolongation of open ends, as a fraction of the end segments.

@@ -3,6 +3,7 @@
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::element::quadrature::Quadrature;
+use slideline_mech::material::between;
 use slideline_mech::orientation::{Basis, Orientation};
 use slideline_mech::pressure::Face;
 use slideline_mech::traction::{Follows, Traction};
@@ -338,15 +339,8 @@ fn density(material: &str, nodes: &[NodeIndex], draft: &Draft) -> Option<f64> {
     let table = material.density.as_ref()?.0.as_ref()?;
     let sum: f64 = nodes.iter().map(|&node| draft.model.initial_temperature(node).value).sum();
     let mean = sum / nodes.len() as f64;
-    let above = table.iter().position(|line| line.0 > mean);
-    match above {
-        Some(0) => table.first().map(|line| line.1),
-        None => table.last().map(|line| line.1),
-        Some(place) => {
-            let ((from, low), (to, high)) = (table[place - 1], table[place]);
-            Some(low + (high - low) * (mean - from) / (to - from))
-        }
-    }
+    let (low, high, part) = between(table, mean)?;
+    Some(low + part * (high - low))
 }
 
 /// Thickness, of a line its area, and material of the section that an element belongs to.

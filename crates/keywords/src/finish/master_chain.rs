@@ -82,11 +82,13 @@ pub(super) fn slide_line(
         // what is integrated needs no smooth corners
         _ => Some(0.0),
     };
-    let is_ring = chain.nodes.first() == chain.nodes.last();
-    // nothing lies beyond the ends of what goes all round
-    let extension = if is_ring { 0.0 } else { pairing.extension };
-    let (nodes, origin) = (chain.nodes, surface.origin);
-    Some(SlideLine { nodes, middles, smooth, extension, origin })
+    let (nodes, extension, origin) = (chain.nodes, pairing.extension, surface.origin);
+    let mut line = SlideLine { nodes, middles, smooth, extension, origin };
+    if line.is_ring() {
+        // nothing lies beyond the ends of what goes all round
+        line.extension = 0.0;
+    }
+    Some(line)
 }
 
 /// Says so where a chain crosses itself.

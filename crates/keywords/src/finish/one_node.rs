@@ -8,6 +8,7 @@
 
 use std::collections::{HashMap, HashSet};
 
+use slideline_mech::vector::{size, sub};
 use slideline_model::{
     Adjust, ContactPair, Dof, Formulation, LinearConstraint, Master, NodeIndex, Offset,
 };
@@ -137,13 +138,10 @@ fn taken(
 /// Whether two nodes are at one place, as faces about the first are large.
 pub(super) fn is_at(node: NodeIndex, other: NodeIndex, face: &[NodeIndex], draft: &Draft) -> bool {
     let place = |node| draft.model.nodes.position(node);
-    let apart = |a: NodeIndex, b: NodeIndex| {
-        let (a, b) = (place(a), place(b));
-        [0, 1, 2].map(|c| a[c] - b[c]).iter().map(|d| d * d).sum::<f64>().sqrt()
-    };
+    let apart = |a: NodeIndex, b: NodeIndex| size(sub(place(a), place(b)));
     let others = face.iter().filter(|&&own| own != node && own != other);
-    let size = others.map(|&own| apart(node, own)).fold(f64::INFINITY, f64::min);
-    apart(node, other) <= APART * size
+    let nearest = others.map(|&own| apart(node, own)).fold(f64::INFINITY, f64::min);
+    apart(node, other) <= APART * nearest
 }
 
 /// Puts nodes in the place of others.

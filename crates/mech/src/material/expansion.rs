@@ -56,7 +56,7 @@ impl Expansion {
 
 /// The rows about a temperature and the part of the way between them; outside of all the outer row
 /// twice. `None`: there are no rows.
-pub(crate) fn between<T>(rows: &[(f64, T)], temperature: f64) -> Option<(&T, &T, f64)> {
+pub fn between<T>(rows: &[(f64, T)], temperature: f64) -> Option<(&T, &T, f64)> {
     let (first, last) = (rows.first()?, rows.last()?);
     let above = rows.partition_point(|(at, _)| *at <= temperature);
     let Some((high, below)) = rows.get(above).zip(above.checked_sub(1)) else {

@@ -11,13 +11,10 @@
 
 use super::edges::{MeshFace, edge, is_crease, middle};
 use super::patch::MOST_CORNERS;
+use super::round::{FLAT, ONWARD};
 use crate::vector::{Vector, add, cross, dot, scale, size, sub};
 use std::collections::HashMap;
 
-/// Part of the turn of an edge by which the surface turns at the next one at least, where it goes on turning [1].
-const ONWARD: f64 = 0.25;
-/// Turn up to which two faces are taken for flat: more than what rounding makes of a plane [rad].
-const FLAT: f64 = 1e-3;
 /// Cosine of the angle from which on an edge lies across another one: 25 degrees.
 const ASIDE: f64 = 0.906;
 /// Cosine of the angle up to which an edge is the next one: 41 degrees.

@@ -12,5 +12,6 @@ mod edges;
 pub mod jet;
 pub mod mesh;
 pub mod patch;
+pub(crate) mod round;
 pub mod star;
 pub mod swept;

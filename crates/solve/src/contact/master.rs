@@ -90,7 +90,7 @@ impl MasterSurface {
         let nodes = line.nodes.iter().map(|node| (at(node), dofs.translations(*node)));
         match Chain::new(&reference, line.smooth, line.extension) {
             Some(mut chain) => {
-                chain.slave = slave;
+                (chain.slave, chain.is_ring) = (slave, line.is_ring());
                 let middles = line.middles.clone();
                 let (nodes, itself) = (nodes.collect(), None);
                 MasterSurface::Line { chain, nodes, offset, middles, itself }

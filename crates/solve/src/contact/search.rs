@@ -105,11 +105,7 @@ impl Contact {
             (MasterSurface::Body { surface, .. }, _) => {
                 pair::slip(history, along, surface.period())
             }
-            (MasterSurface::Line { chain, nodes, itself: None, .. }, _) => {
-                let ends =
-                    [nodes.first(), nodes.last()].map(|own| own.map_or([0.0; 3], |own| own.0));
-                pair::slip(history, along, chain.period(ends))
-            }
+            (MasterSurface::Line { chain, .. }, _) => pair::slip(history, along, chain.period()),
             _ => pair::slip(history, along, None),
         }
     }

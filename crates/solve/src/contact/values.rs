@@ -182,7 +182,7 @@ impl Contact {
                 }
                 let ends = line.nodes.windows(2);
                 let lengths = ends.map(|ends| distance(model, [ends[0], ends[1]]));
-                chain.slave = slave;
+                (chain.slave, chain.is_ring) = (slave, line.is_ring());
                 let whole = chain.take(lengths, line.smooth.unwrap_or(0.0), line.extension);
                 if line.smooth.is_none() {
                     chain.round(line.nodes.iter().map(|&node| model.nodes.get(node).position));

@@ -107,9 +107,7 @@ impl Weights<4> {
             third: [-6.0, 18.0, -18.0, 6.0],
         }
     }
-}
 
-impl Weights<4> {
     /// Cubic between the nodes `begin` and `begin` + 1 of four whose derivatives at these are the given weights of
     /// the nodes, docs/theory.md section 5.3.
     pub fn through(xi: f64, begin: usize, [from, to]: &[[f64; 4]; 2]) -> Self {

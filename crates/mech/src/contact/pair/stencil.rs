@@ -4,6 +4,7 @@ use super::super::gap::curve::{Along, Weights, point_to_curve};
 use super::super::gap::offset::{Offset, Turn};
 use super::super::gap::{Gap, Order, Quadratic};
 use super::super::search::chain::raised;
+use super::super::search::through::CONTROLS;
 use super::super::tangential::Tangential;
 use crate::rigid::Attachment;
 
@@ -112,14 +113,14 @@ pub struct Derivatives<'a> {
 /// Where the attachments of a stencil go, slave first.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StencilAttachments {
-    all: [Attachment; 5],
+    all: [Attachment; 1 + CONTROLS],
     count: usize,
 }
 
 impl StencilAttachments {
     /// That of the slave alone.
     pub(super) fn new(slave: Attachment) -> Self {
-        Self { all: [slave; 5], count: 1 }
+        Self { all: [slave; 1 + CONTROLS], count: 1 }
     }
 
     /// Takes one more in.

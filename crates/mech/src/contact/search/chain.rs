@@ -17,21 +17,12 @@
 
 use super::through::{CONTROLS, Curve, Through};
 use super::tree::{Bounds, BoxTree};
-use super::{INSIDE, Point, TIE, cross, dot, project_line, project_quadratic, sub};
+use super::{Point, TIE, cross, dot, project_line, sub};
 
 pub use super::{flat, raised};
 
-/// Part of both segments over which a valley is rounded where nothing else is round [1]: its bottom moves by 0.0025 of a
-/// segment times the sine of half its turn.
-const VALLEY: f64 = 0.005;
-/// The same of a chain without smoothing [1], where many may be chords of something round on which nodes stand: a
-/// five thousandth of what its arc rises over a chord.
-const BARE_VALLEY: f64 = 1e-4;
-/// Turn up to which a ridge counts as a valley [rad]: what is flat turns to and fro by its strains.
-const FLAT: f64 = 1e-3;
+mod pieces;
 
-/// Part of the segments by which those at the seam of a ring are prolonged [1].
-const SEAM: f64 = 0.01;
 /// By how much farther than its nodes a curve may reach from one of them, in parts of the segment [1].
 const BULGE: f64 = 0.25;
 
@@ -118,6 +109,8 @@ pub struct Chain {
     pub extension: f64,
     /// Mean length of the slave faces that may stand about its sharp edges [L].
     pub slave: f64,
+    /// Whether its last node is its first one.
+    pub is_ring: bool,
     lengths: Vec<f64>,
     arc: Vec<f64>,
     through: Through,
@@ -165,6 +158,7 @@ impl Chain {
             smoothing,
             extension,
             slave: f64::INFINITY,
+            is_ring: false,
             lengths: Vec::with_capacity(segments),
             arc: Vec::with_capacity(segments + 1),
             through: Through::default(),
@@ -361,13 +355,7 @@ impl Chain {
         index: usize,
         best: &mut Option<Candidate>,
     ) {
-        let range = self.range(positions, index);
-        let along = match self.curve(index) {
-            Some(curve) => self.curved(curve, positions, point, (index, range)),
-            None => self.straight_within(positions, point, (index, range)),
-        };
-        let corner = self.corner(positions, point, index);
-        for candidate in [along, corner].into_iter().flatten() {
+        for candidate in self.candidates(positions, point, index).into_iter().flatten() {
             if better(&candidate, best.as_ref()) {
                 *best = Some(candidate);
             }
@@ -404,47 +392,9 @@ impl Chain {
         ends.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, overclosure)| overclosure)
     }
 
-    /// Range of the straight part's parameter.
-    fn range(&self, positions: &[[f64; 3]], index: usize) -> (f64, f64) {
-        let last = self.lengths.len();
-        // a curve beside a rounded valley leaves the chord, along which that begins, a little
-        let lap = if self.curve(index).is_some() { 0.9 } else { 1.0 };
-        let beyond = |node: usize| match node == 0 || node == last {
-            true => self.beyond_ends(positions),
-            false => -lap * self.cut(positions, node),
-        };
-        (-beyond(index), 1.0 + beyond(index + 1))
-    }
-
-    /// Part of the end segments by which they are prolonged [1]: those of a ring that is drawn as a curve or does
-    /// not turn away at its seam a little, so that what stands there faces one of them.
-    fn beyond_ends(&self, positions: &[[f64; 3]]) -> f64 {
-        let nodes = [positions.len() - 2, 0, 1].map(|node| positions[node]);
-        let is_ring = positions.first() == positions.last();
-        let joins = is_ring && (self.curve(0).is_some() || is_valley(&nodes, 1));
-        if joins { self.extension.max(SEAM) } else { self.extension }
-    }
-
     /// The length after which it comes back to its beginning [L], where it does.
-    pub fn period(&self, reference: [[f64; 3]; 2]) -> Option<f64> {
-        (reference[0] == reference[1]).then(|| self.arc_coordinate(self.lengths.len()))
-    }
-
-    /// Part of both segments that the corner at a node between them takes [1]: nothing of a ridge that is
-    /// not smoothed, nor where a curve passes.
-    pub(super) fn cut(&self, positions: &[[f64; 3]], node: usize) -> f64 {
-        let is_drawn =
-            self.smoothing <= 0.0 && (self.through.is_joined(node) || !is_valley(positions, node));
-        if is_drawn { 0.0 } else { self.corner_fraction() }
-    }
-
-    /// The same of a corner that there is.
-    pub fn corner_fraction(&self) -> f64 {
-        match self.is_drawn_through() {
-            true => VALLEY,
-            false if self.smoothing > 0.0 => self.smoothing,
-            false => BARE_VALLEY,
-        }
+    pub fn period(&self) -> Option<f64> {
+        self.is_ring.then(|| self.arc_coordinate(self.lengths.len()))
     }
 
     /// Whether curves through its nodes take the place of segments where it is round.
@@ -466,112 +416,6 @@ impl Chain {
     pub fn curve(&self, index: usize) -> Option<&Curve> {
         self.through.curve(index)
     }
-
-    /// The curve in place of the straight part `index` for a point, in this range of its parameter; beyond it
-    /// the straight part, in the wedge at a ridge.
-    fn curved(
-        &self,
-        curve: &Curve,
-        positions: &[[f64; 3]],
-        point: Point,
-        (index, range): (usize, (f64, f64)),
-    ) -> Option<Candidate> {
-        let Some(parameter) = curve.project(positions, point, range) else {
-            let beyond = self.straight_within(positions, point, (index, range))?;
-            return (beyond.outside > 0.0).then_some(beyond);
-        };
-        let (place, _) = curve.place(positions, parameter);
-        let apart = sub(point, place);
-        let piece = Piece { index, kind: PieceKind::Curve { first: curve.first }, parameter };
-        Some(Candidate { piece, distance: apart[0].hypot(apart[1]), outside: 0.0 })
-    }
-
-    /// The straight part `index` for a point, in this range of its parameter; beyond it only in the
-    /// wedge at its node.
-    pub(super) fn straight_within(
-        &self,
-        positions: &[[f64; 3]],
-        point: Point,
-        (index, (low, high)): (usize, (f64, f64)),
-    ) -> Option<Candidate> {
-        let (a, b) = (flat(positions[index]), flat(positions[index + 1]));
-        let parameter = project_line(a, b, point)?;
-        let along = sub(b, a);
-        let length = dot(along, along).sqrt();
-        let over = (low - parameter).max(parameter - high);
-        let outside = if over <= INSIDE { 0.0 } else { over * length };
-        let before = parameter < low;
-        if outside > 0.0 && !self.in_wedge(positions, point, index, (before, outside)) {
-            return None;
-        }
-        let distance = cross(along, sub(point, a)).abs() / length;
-        let piece = Piece { index, kind: PieceKind::Straight, parameter };
-        Some(Candidate { piece, distance, outside })
-    }
-
-    /// Whether a point outside the range of a straight part lies in the wedge at its node, on this
-    /// side of the bisector. Only where there is no corner.
-    fn in_wedge(
-        &self,
-        positions: &[[f64; 3]],
-        point: Point,
-        index: usize,
-        (before, outside): (bool, f64),
-    ) -> bool {
-        let neighbour = if before { index.checked_sub(1) } else { Some(index + 1) };
-        let Some(neighbour) = neighbour.filter(|&n| n < self.lengths.len()) else { return false };
-        let node = index.max(neighbour);
-        if self.through.is_joined(node) || self.cut(positions, node) > 0.0 {
-            return false;
-        }
-        let (a, b) = (flat(positions[neighbour]), flat(positions[neighbour + 1]));
-        let Some(parameter) = project_line(a, b, point) else { return false };
-        let length = dot(sub(b, a), sub(b, a)).sqrt();
-        let over = (if before { parameter - 1.0 } else { -parameter }) * length;
-        over > 0.0 && outside <= over * (1.0 + TIE)
-    }
-
-    /// Control points P0, X, P2 of the corner at node `index`.
-    pub(super) fn corner_control(
-        &self,
-        positions: &[[f64; 3]],
-        index: usize,
-    ) -> Option<[Point; 3]> {
-        let at = |node: usize| positions.get(node).copied().map(flat);
-        let (a, x, b) = (at(index.checked_sub(1)?)?, at(index)?, at(index + 1)?);
-        let f = self.corner_fraction();
-        let toward = |p: Point| [x[0] + f * (p[0] - x[0]), x[1] + f * (p[1] - x[1])];
-        Some([toward(a), x, toward(b)])
-    }
-
-    /// The smoothed corner at node `index` for a point.
-    pub(super) fn corner(
-        &self,
-        positions: &[[f64; 3]],
-        point: Point,
-        index: usize,
-    ) -> Option<Candidate> {
-        if index == 0 || self.cut(positions, index) == 0.0 {
-            return None;
-        }
-        let control = self.corner_control(positions, index)?;
-        let s = project_quadratic(&control, point)?;
-        let weights = [(1.0 - s) * (1.0 - s), 2.0 * s * (1.0 - s), s * s];
-        let mut apart = point;
-        for (weight, p) in weights.iter().zip(control) {
-            apart = [apart[0] - weight * p[0], apart[1] - weight * p[1]];
-        }
-        let piece = Piece { index, kind: PieceKind::Corner, parameter: s };
-        Some(Candidate { piece, distance: apart[0].hypot(apart[1]), outside: 0.0 })
-    }
-}
-
-/// Whether a chain turns to its outside, which is on its left, or hardly at all, at a node between its
-/// ends.
-fn is_valley(positions: &[[f64; 3]], node: usize) -> bool {
-    let [before, here, behind] = [node - 1, node, node + 1].map(|node| flat(positions[node]));
-    let ways = (sub(here, before), sub(behind, here));
-    cross(ways.0, ways.1) > -FLAT * dot(ways.0, ways.1).abs()
 }
 
 /// The node nearest to a point, where the search begins.

@@ -10,13 +10,10 @@
 //! docs/theory.md section 5.3. (derived)
 
 use super::{Point, cross, dot, flat, nearest_parameter, sub};
+use crate::surface::round::{FLAT, ONWARD};
 
-/// Turn up to which two segments are taken for straight [rad].
-const STRAIGHT: f64 = 1e-3;
 /// Turn from which on a node is a corner, whatever it stands in [rad].
 const CORNER: f64 = std::f64::consts::FRAC_PI_4;
-/// Part of the turn at a node by which the chain turns at the next one at least, where it goes on turning [1].
-const ONWARD: f64 = 0.25;
 /// Nodes that a curve follows.
 pub const CONTROLS: usize = 4;
 
@@ -90,8 +87,8 @@ fn is_joined(turns: &[f64], node: usize) -> bool {
         return false;
     }
     let turn = turns[node].abs();
-    if turn <= STRAIGHT || turn >= CORNER {
-        return turn <= STRAIGHT;
+    if turn <= FLAT || turn >= CORNER {
+        return turn <= FLAT;
     }
     let goes_on = |from: usize, to: usize| {
         let (own, next) = (turns[from], turns[to] * turns[from].signum());
@@ -141,21 +138,22 @@ fn curve(joined: &[bool], lengths: &[f64], part: usize) -> Option<Curve> {
 }
 
 impl Curve {
-    /// Parameter at which a point faces the curve, in a range of it; `None` where it does not. `positions` are
-    /// those of all nodes.
+    /// Parameter at which a point faces the curve, in a range of it, and the place there [L]; `None` where it does
+    /// not. `positions` are those of all nodes.
     pub(super) fn project(
         &self,
         positions: &[[f64; 3]],
         point: Point,
         range: (f64, f64),
-    ) -> Option<f64> {
+    ) -> Option<(f64, Point)> {
         let polynomial = self.polynomial(positions);
         let value = |s: f64| {
             let (x, first, second) = at(&polynomial, s);
             let apart = sub(point, x);
             (dot(apart, first), dot(apart, second) - dot(first, first))
         };
-        nearest_parameter(value, range)
+        let parameter = nearest_parameter(value, range)?;
+        Some((parameter, at(&polynomial, parameter).0))
     }
 
     /// The place of the curve at a parameter, and its derivative by that [L].

@@ -142,3 +142,32 @@ fn nothing_is_left_between_curves_and_corners() {
         }
     }
 }
+
+/// Requirement: a tree of the segments changes no answer of a chain of curves, ridges and valleys, nor do reaches.
+#[test]
+fn a_tree_changes_no_answer() {
+    let nodes: Vec<[f64; 3]> = (0..120)
+        .map(|k| {
+            let (turn, bump) = (f64::from(k) * 0.05, f64::from(u8::from(k % 17 == 0)));
+            let radius = 4.0 + 0.3 * bump + (3.0 * turn).cos();
+            [radius * turn.cos(), radius * turn.sin(), 0.0]
+        })
+        .collect();
+    let chain = drawn(&nodes);
+    assert!((0..119).any(|part| chain.curve(part).is_some()));
+    assert!((0..119).any(|part| chain.curve(part).is_none()));
+    let tree = chain.tree(&nodes);
+    let reaches: Vec<_> = (0..119).map(|part| chain.reach(&nodes, part)).collect();
+    let mut curved = 0;
+    for k in 0..3000 {
+        let (a, b) = (f64::from(k) * 0.37, f64::from(k) * 0.61);
+        let p = [6.0 * a.sin(), 6.0 * b.cos(), 0.0];
+        let all = chain.closest(&nodes, Nearby::Positions, p);
+        assert_eq!(all, chain.closest(&nodes, Nearby::Tree(&tree), p), "{p:?}");
+        assert_eq!(all, chain.closest(&nodes, Nearby::Reaches(&reaches), p), "{p:?}");
+        let on_curve =
+            |piece: &super::super::chain::Piece| matches!(piece.kind, PieceKind::Curve { .. });
+        curved += usize::from(all.as_ref().is_some_and(on_curve));
+    }
+    assert!(curved > 500, "{curved}");
+}
