@@ -21,8 +21,6 @@ use super::{Point, TIE, cross, dot, project_line, sub};
 
 pub use super::{flat, raised};
 
-mod pieces;
-
 /// By how much farther than its nodes a curve may reach from one of them, in parts of the segment [1].
 const BULGE: f64 = 0.25;
 

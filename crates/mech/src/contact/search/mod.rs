@@ -16,6 +16,7 @@ pub mod itself;
 pub mod outlook;
 pub mod own_faces;
 pub mod pass;
+mod pieces;
 pub mod rigid;
 pub mod segment;
 pub mod sharp;

@@ -8,11 +8,9 @@
 //!
 //! docs/theory.md section 5.3. (derived)
 
-use super::{Candidate, Chain, Piece, PieceKind, flat};
-use crate::contact::search::through::Curve;
-use crate::contact::search::{
-    INSIDE, Point, TIE, cross, dot, project_line, project_quadratic, sub,
-};
+use super::chain::{Candidate, Chain, Piece, PieceKind, flat};
+use super::through::Curve;
+use super::{INSIDE, Point, TIE, cross, dot, project_line, project_quadratic, sub};
 
 /// Part of both segments over which a valley is rounded where nothing else is round [1]: its bottom moves by 0.0025 of a
 /// segment times the sine of half its turn.
@@ -48,7 +46,7 @@ impl Chain {
 
     /// Range of the straight part's parameter.
     fn range(&self, positions: &[[f64; 3]], index: usize) -> (f64, f64) {
-        let last = self.lengths.len();
+        let last = self.segments();
         let lap = if self.curve(index).is_some() { LAP } else { 1.0 };
         let beyond = |node: usize| match node == 0 || node == last {
             true => self.beyond_ends(positions),
@@ -67,9 +65,9 @@ impl Chain {
 
     /// Part of both segments that the corner at a node between them takes [1]: nothing of a ridge that is
     /// not smoothed, nor where a curve passes.
-    pub(in crate::contact::search) fn cut(&self, positions: &[[f64; 3]], node: usize) -> f64 {
+    pub(super) fn cut(&self, positions: &[[f64; 3]], node: usize) -> f64 {
         let is_drawn =
-            self.smoothing <= 0.0 && (self.through.is_joined(node) || !is_valley(positions, node));
+            self.smoothing <= 0.0 && (self.is_joined(node) || !is_valley(positions, node));
         if is_drawn { 0.0 } else { self.corner_fraction() }
     }
 
@@ -102,7 +100,7 @@ impl Chain {
 
     /// The straight part `index` for a point, in this range of its parameter; beyond it only in the
     /// wedge at its node.
-    pub(in crate::contact::search) fn straight_within(
+    pub(super) fn straight_within(
         &self,
         positions: &[[f64; 3]],
         point: Point,
@@ -133,9 +131,9 @@ impl Chain {
         (before, outside): (bool, f64),
     ) -> bool {
         let neighbour = if before { index.checked_sub(1) } else { Some(index + 1) };
-        let Some(neighbour) = neighbour.filter(|&n| n < self.lengths.len()) else { return false };
+        let Some(neighbour) = neighbour.filter(|&n| n < self.segments()) else { return false };
         let node = index.max(neighbour);
-        if self.through.is_joined(node) || self.cut(positions, node) > 0.0 {
+        if self.is_joined(node) || self.cut(positions, node) > 0.0 {
             return false;
         }
         let (a, b) = (flat(positions[neighbour]), flat(positions[neighbour + 1]));
@@ -146,7 +144,7 @@ impl Chain {
     }
 
     /// Control points P0, X, P2 of the corner at node `index`.
-    pub(in crate::contact::search) fn corner_control(
+    pub(super) fn corner_control(
         &self,
         positions: &[[f64; 3]],
         index: usize,
@@ -159,7 +157,7 @@ impl Chain {
     }
 
     /// The smoothed corner at node `index` for a point.
-    pub(in crate::contact::search) fn corner(
+    pub(super) fn corner(
         &self,
         positions: &[[f64; 3]],
         point: Point,
