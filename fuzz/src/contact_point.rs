@@ -5,7 +5,8 @@ use slideline::mech::contact::friction::{Ellipse, FrictionLaw, Stick};
 use slideline::mech::contact::gap::offset::Offset;
 use slideline::mech::contact::normal::NormalLaw;
 use slideline::mech::contact::pair::{AnyGap, Body, RigidSurface, chain_gap};
-use slideline::mech::contact::search::chain::{Chain, Nearby, raised};
+use slideline::mech::contact::search::chain::{Chain, raised};
+use slideline::mech::contact::search::nearest::Nearby;
 use slideline::mech::contact::search::rigid::RigidSegment;
 use slideline::mech::contact::tangential::Tangential;
 

@@ -12,7 +12,8 @@ use crate::start::{Start, length, less};
 use slideline_mech::contact::gap::Linear;
 use slideline_mech::contact::gap::offset::Offset;
 use slideline_mech::contact::pair::{Body, RigidSurface, chain_overclosure};
-use slideline_mech::contact::search::chain::{Chain, Nearby, flat};
+use slideline_mech::contact::search::chain::{Chain, flat};
+use slideline_mech::contact::search::nearest::Nearby;
 use slideline_mech::contact::search::rigid::{RigidSegment, beyond_end};
 use slideline_model::{ContactPair, Formulation, Master, NodeIndex, Step};
 

@@ -10,8 +10,9 @@ use slideline_mech::contact::onset::Onset;
 use slideline_mech::contact::pair::{
     AnyGap, Body, History, Laws, PointTrial, RigidSurface, UserState, chain_gap, chain_overclosure,
 };
-use slideline_mech::contact::search::chain::{Chain, Nearby};
+use slideline_mech::contact::search::chain::Chain;
 use slideline_mech::contact::search::chain::{flat, raised};
+use slideline_mech::contact::search::nearest::Nearby;
 use slideline_mech::contact::search::rigid::{Part, RigidSegment};
 use slideline_mech::contact::tangential::Tangential;
 use slideline_mech::rigid::{Attachment, PointMap, push_forward};

@@ -5,7 +5,8 @@ use proptest::prelude::*;
 use slideline_mech::contact::gap::Quadratic;
 use slideline_mech::contact::gap::offset::Offset;
 use slideline_mech::contact::pair::{AnyGap, Body, RigidSurface, chain_gap};
-use slideline_mech::contact::search::chain::{Chain, Nearby};
+use slideline_mech::contact::search::chain::Chain;
+use slideline_mech::contact::search::nearest::Nearby;
 use slideline_mech::contact::search::rigid::RigidSegment;
 use slideline_mech::rigid::{Attachment, PointMap, push_forward, push_gradients};
 

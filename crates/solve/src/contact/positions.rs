@@ -5,8 +5,8 @@
 //!         trees of the long ones, fitted: a search looks at what is near
 //! ```
 
-use slideline_mech::contact::search::chain::{ChainTree, Nearby};
 use slideline_mech::contact::search::faces::FaceTree;
+use slideline_mech::contact::search::nearest::{ChainTree, Nearby};
 use slideline_mech::contact::search::own_faces::Standing;
 use std::ops::Range;
 

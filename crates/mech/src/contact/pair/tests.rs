@@ -139,7 +139,8 @@ fn slip_wraps_at_the_period() {
 /// coordinate goes on from that of the straight part, on either side.
 #[test]
 fn gaps_to_noses_are_distances_from_their_parabolas() {
-    use super::super::search::chain::{Chain, Nearby, PieceKind};
+    use super::super::search::chain::{Chain, PieceKind};
+    use super::super::search::nearest::Nearby;
     use super::super::search::outlook::Outlook;
     use super::super::search::sharp;
     let block = [[0.0, -1.5, 0.0], [0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, -1.0, 0.0]];

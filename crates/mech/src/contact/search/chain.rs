@@ -16,41 +16,26 @@
 //! the other one, and what holds it has a normal between theirs.
 
 use super::through::{CONTROLS, Curve, Through};
-use super::tree::{Bounds, BoxTree};
-use super::{Point, TIE, cross, dot, project_line, sub};
+use super::{INSIDE, Point, TIE, cross, dot, project_line, project_quadratic, sub};
 
 pub use super::{flat, raised};
 
+/// Part of both segments over which a valley is rounded where nothing else is round [1]: its bottom moves by 0.0025 of a
+/// segment times the sine of half its turn.
+const VALLEY: f64 = 0.005;
+/// The same of a chain without smoothing [1], where many may be chords of something round on which nodes stand: a
+/// five thousandth of what its arc rises over a chord.
+const BARE_VALLEY: f64 = 1e-4;
+/// Turn up to which a ridge counts as a valley [rad]: what is flat turns to and fro by its strains.
+const FLAT: f64 = 1e-3;
+
+/// Part of the segments by which those at the seam of a ring are prolonged [1].
+const SEAM: f64 = 0.01;
+/// Part of a rounded valley that a curve beside it keeps clear of [1]: it leaves the chord, along which that begins, a
+/// little.
+const LAP: f64 = 0.9;
 /// By how much farther than its nodes a curve may reach from one of them, in parts of the segment [1].
 const BULGE: f64 = 0.25;
-
-/// A tree over the segments of a chain.
-pub type ChainTree = BoxTree<2>;
-
-/// What tells which segments of a chain come near a point.
-#[derive(Debug, Clone, Copy)]
-pub enum Nearby<'a> {
-    /// Nothing but the positions of the nodes.
-    Positions,
-    /// [`Chain::reach`] of every segment at the positions [L].
-    Reaches(&'a [f64]),
-    /// A tree of the segments, fitted to the positions.
-    Tree(&'a ChainTree),
-}
-
-impl<'a> Nearby<'a> {
-    fn tree(self) -> Option<&'a ChainTree> {
-        match self {
-            Self::Tree(tree) => Some(tree),
-            _ => None,
-        }
-    }
-}
-
-/// A box that holds two boxes.
-pub(super) fn joined(a: Bounds<2>, b: Bounds<2>) -> Bounds<2> {
-    ([0, 1].map(|axis| a.0[axis].min(b.0[axis])), [0, 1].map(|axis| a.1[axis].max(b.1[axis])))
-}
 
 /// Kind of a piece of the chain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -224,140 +209,9 @@ impl Chain {
         (part, if length > 0.0 { (way / length).clamp(0.0, 1.0) } else { 0.0 })
     }
 
-    /// The piece nearest by |g| that faces `point`, for the current `positions` of the nodes. `None`
-    /// if the point faces no piece: see [`Chain::beyond_end`]. A number of positions other than that
-    /// of the nodes gives `None`. With a tree of the parts, fitted to the positions, only those near
-    /// are looked at; the answer is the same whatever is known. [semantics: search]
-    pub fn closest(
-        &self,
-        positions: &[[f64; 3]],
-        nearby: Nearby<'_>,
-        point: [f64; 3],
-    ) -> Option<Piece> {
-        let point = flat(point);
-        if positions.len() != self.node_count() {
-            return None;
-        }
-        let mut best: Option<Candidate> = None;
-        let nearest = match nearby.tree() {
-            Some(tree) => self.nearest_by_tree(positions, tree, point)?,
-            None => nearest_node(positions, point)?,
-        };
-        let around = nearest.saturating_sub(1)..(nearest + 2).min(self.lengths.len());
-        for index in around.clone() {
-            self.consider(positions, point, index, &mut best);
-        }
-        let first_limit = best_limit(best.as_ref());
-        let mut limit = first_limit;
-        let mut rest = |index: usize, reach: f64| {
-            let apart = sub(point, flat(positions[index]));
-            let near = reach + limit;
-            if dot(apart, apart) <= near * near && !around.contains(&index) {
-                self.consider(positions, point, index, &mut best);
-                limit = best_limit(best.as_ref());
-            }
-        };
-        match nearby {
-            Nearby::Tree(tree) if first_limit.is_finite() => {
-                // in the order of the parts, as without the tree: ties are decided by it
-                let (mut from, mut found) = (0, [usize::MAX; AT_ONCE]);
-                loop {
-                    found.fill(usize::MAX);
-                    tree.within(point, first_limit, |part| insert(&mut found, part, from));
-                    let full = found[AT_ONCE - 1] != usize::MAX;
-                    let parts = found.iter().take_while(|&&part| part != usize::MAX);
-                    parts.for_each(|&part| rest(part, self.reach(positions, part)));
-                    if !full {
-                        break;
-                    }
-                    from = found[AT_ONCE - 1] + 1;
-                }
-            }
-            Nearby::Reaches(reaches) => {
-                let own = reaches.iter().take(self.lengths.len()).enumerate();
-                own.for_each(|(index, &reach)| rest(index, reach));
-            }
-            Nearby::Tree(_) | Nearby::Positions => {
-                (0..self.lengths.len()).for_each(|index| rest(index, self.reach(positions, index)))
-            }
-        }
-        best.map(|candidate| candidate.piece)
-    }
-
-    /// Boxes of the parts for a tree: the circle about the first node of a segment that holds the
-    /// segments before and after it, prolonged.
-    pub fn bounds(&self, positions: &[[f64; 3]], index: usize) -> Bounds<2> {
-        let (node, reach) = (flat(positions[index]), self.reach(positions, index));
-        (node.map(|x| x - reach), node.map(|x| x + reach))
-    }
-
-    /// A tree of the parts.
-    pub fn tree(&self, positions: &[[f64; 3]]) -> ChainTree {
-        BoxTree::new(self.segments(), |part| self.bounds(positions, part))
-    }
-
-    /// Fits a tree to the positions.
-    pub fn fit(&self, tree: &mut ChainTree, positions: &[[f64; 3]]) {
-        tree.fit(|part| self.bounds(positions, part));
-    }
-
-    /// Fits a tree to the ways from positions to others.
-    pub fn fit_ways(&self, tree: &mut ChainTree, from: &[[f64; 3]], to: &[[f64; 3]]) {
-        tree.fit(|part| joined(self.bounds(from, part), self.bounds(to, part)));
-    }
-
-    /// Segments that a point may meet on the way `from` -> `to`, ascending, by a tree fitted to
-    /// their ways; all of them without one.
-    pub fn near_way(
-        &self,
-        tree: Option<&ChainTree>,
-        (from, to): ([f64; 3], [f64; 3]),
-        near: &mut Vec<usize>,
-    ) {
-        near.clear();
-        match tree {
-            Some(tree) => {
-                tree.overlapping(joined((flat(from), flat(from)), (flat(to), flat(to))), |part| {
-                    near.push(part);
-                });
-                near.sort_unstable();
-            }
-            None => near.extend(0..self.segments()),
-        }
-    }
-
     /// Number of segments, the parts of a tree.
     pub fn segments(&self) -> usize {
         self.lengths.len()
-    }
-
-    fn nearest_by_tree(
-        &self,
-        positions: &[[f64; 3]],
-        tree: &ChainTree,
-        point: Point,
-    ) -> Option<usize> {
-        let square = |node: usize| {
-            let apart = sub(point, flat(positions[node]));
-            dot(apart, apart)
-        };
-        let (part, _) = tree.nearest(point, |part| square(part).min(square(part + 1)))?;
-        Some(if square(part) <= square(part + 1) { part } else { part + 1 })
-    }
-
-    /// Compares the straight part `index` and the corner at its first node with the best so far.
-    fn consider(
-        &self,
-        positions: &[[f64; 3]],
-        point: Point,
-        index: usize,
-        best: &mut Option<Candidate>,
-    ) {
-        for candidate in self.candidates(positions, point, index).into_iter().flatten() {
-            if better(&candidate, best.as_ref()) {
-                *best = Some(candidate);
-            }
-        }
     }
 
     /// Radius of the circle about the first node of segment `index` that holds it, its extension and
@@ -414,45 +268,163 @@ impl Chain {
     pub fn curve(&self, index: usize) -> Option<&Curve> {
         self.through.curve(index)
     }
-}
 
-/// The node nearest to a point, where the search begins.
-fn nearest_node(positions: &[[f64; 3]], point: Point) -> Option<usize> {
-    let mut nearest = None;
-    let mut least = f64::INFINITY;
-    for (index, &node) in positions.iter().enumerate() {
-        let apart = sub(point, flat(node));
-        let square = dot(apart, apart);
-        if square < least {
-            (nearest, least) = (Some(index), square);
+    /// What a point faces of the straight part `index`, or of the curve in its place, and of the corner at its first
+    /// node.
+    pub(super) fn candidates(
+        &self,
+        positions: &[[f64; 3]],
+        point: Point,
+        index: usize,
+    ) -> [Option<Candidate>; 2] {
+        let range = self.range(positions, index);
+        let along = match self.curve(index) {
+            Some(curve) => self.curved(curve, positions, point, (index, range)),
+            None => self.straight_within(positions, point, (index, range)),
+        };
+        [along, self.corner(positions, point, index)]
+    }
+
+    /// Range of the straight part's parameter.
+    fn range(&self, positions: &[[f64; 3]], index: usize) -> (f64, f64) {
+        let last = self.segments();
+        let lap = if self.curve(index).is_some() { LAP } else { 1.0 };
+        let beyond = |node: usize| match node == 0 || node == last {
+            true => self.beyond_ends(positions),
+            false => -lap * self.cut(positions, node),
+        };
+        (-beyond(index), 1.0 + beyond(index + 1))
+    }
+
+    /// Part of the end segments by which they are prolonged [1]: those of a ring that is drawn as a curve or does
+    /// not turn away at its seam a little, so that what stands there faces one of them.
+    fn beyond_ends(&self, positions: &[[f64; 3]]) -> f64 {
+        let nodes = [positions.len() - 2, 0, 1].map(|node| positions[node]);
+        let joins = self.is_ring && (self.curve(0).is_some() || is_valley(&nodes, 1));
+        if joins { self.extension.max(SEAM) } else { self.extension }
+    }
+
+    /// Part of both segments that the corner at a node between them takes [1]: nothing of a ridge that is
+    /// not smoothed, nor where a curve passes.
+    pub(super) fn cut(&self, positions: &[[f64; 3]], node: usize) -> f64 {
+        let is_drawn =
+            self.smoothing <= 0.0 && (self.is_joined(node) || !is_valley(positions, node));
+        if is_drawn { 0.0 } else { self.corner_fraction() }
+    }
+
+    /// The same of a corner that there is.
+    pub fn corner_fraction(&self) -> f64 {
+        match self.is_drawn_through() {
+            true => VALLEY,
+            false if self.smoothing > 0.0 => self.smoothing,
+            false => BARE_VALLEY,
         }
     }
-    nearest
-}
 
-/// Nearer by more than rounding.
-pub(super) fn better(candidate: &Candidate, best: Option<&Candidate>) -> bool {
-    let Some(best) = best else { return candidate.distance.is_finite() };
-    let (new, old) = (candidate.distance + candidate.outside, best.distance + best.outside);
-    (new - old).abs() > TIE * (new + old) && new < old
-}
-
-/// Distance beyond which nothing is nearer than the best so far [L].
-fn best_limit(best: Option<&Candidate>) -> f64 {
-    best.map_or(f64::INFINITY, |best| (best.distance + best.outside) * (1.0 + 2.0 * TIE))
-}
-
-/// Parts that a tree's answer is sorted into at a time.
-const AT_ONCE: usize = 16;
-
-/// Keeps the lowest parts from `from` on, ascending, each once.
-fn insert(found: &mut [usize; AT_ONCE], part: usize, from: usize) {
-    if part < from || part >= found[AT_ONCE - 1] || found.contains(&part) {
-        return;
+    /// The curve in place of the straight part `index` for a point, in this range of its parameter; beyond it
+    /// the straight part, in the wedge at a ridge.
+    fn curved(
+        &self,
+        curve: &Curve,
+        positions: &[[f64; 3]],
+        point: Point,
+        (index, range): (usize, (f64, f64)),
+    ) -> Option<Candidate> {
+        let Some((parameter, place)) = curve.project(positions, point, range) else {
+            let beyond = self.straight_within(positions, point, (index, range))?;
+            return (beyond.outside > 0.0).then_some(beyond);
+        };
+        let apart = sub(point, place);
+        let piece = Piece { index, kind: PieceKind::Curve { first: curve.first }, parameter };
+        Some(Candidate { piece, distance: apart[0].hypot(apart[1]), outside: 0.0 })
     }
-    let at = found.iter().position(|&other| part < other).unwrap_or(AT_ONCE - 1);
-    found.copy_within(at..AT_ONCE - 1, at + 1);
-    found[at] = part;
+
+    /// The straight part `index` for a point, in this range of its parameter; beyond it only in the
+    /// wedge at its node.
+    pub(super) fn straight_within(
+        &self,
+        positions: &[[f64; 3]],
+        point: Point,
+        (index, (low, high)): (usize, (f64, f64)),
+    ) -> Option<Candidate> {
+        let (a, b) = (flat(positions[index]), flat(positions[index + 1]));
+        let parameter = project_line(a, b, point)?;
+        let along = sub(b, a);
+        let length = dot(along, along).sqrt();
+        let over = (low - parameter).max(parameter - high);
+        let outside = if over <= INSIDE { 0.0 } else { over * length };
+        let before = parameter < low;
+        if outside > 0.0 && !self.in_wedge(positions, point, index, (before, outside)) {
+            return None;
+        }
+        let distance = cross(along, sub(point, a)).abs() / length;
+        let piece = Piece { index, kind: PieceKind::Straight, parameter };
+        Some(Candidate { piece, distance, outside })
+    }
+
+    /// Whether a point outside the range of a straight part lies in the wedge at its node, on this
+    /// side of the bisector. Only where there is no corner.
+    fn in_wedge(
+        &self,
+        positions: &[[f64; 3]],
+        point: Point,
+        index: usize,
+        (before, outside): (bool, f64),
+    ) -> bool {
+        let neighbour = if before { index.checked_sub(1) } else { Some(index + 1) };
+        let Some(neighbour) = neighbour.filter(|&n| n < self.segments()) else { return false };
+        let node = index.max(neighbour);
+        if self.is_joined(node) || self.cut(positions, node) > 0.0 {
+            return false;
+        }
+        let (a, b) = (flat(positions[neighbour]), flat(positions[neighbour + 1]));
+        let Some(parameter) = project_line(a, b, point) else { return false };
+        let length = dot(sub(b, a), sub(b, a)).sqrt();
+        let over = (if before { parameter - 1.0 } else { -parameter }) * length;
+        over > 0.0 && outside <= over * (1.0 + TIE)
+    }
+
+    /// Control points P0, X, P2 of the corner at node `index`.
+    pub(super) fn corner_control(
+        &self,
+        positions: &[[f64; 3]],
+        index: usize,
+    ) -> Option<[Point; 3]> {
+        let at = |node: usize| positions.get(node).copied().map(flat);
+        let (a, x, b) = (at(index.checked_sub(1)?)?, at(index)?, at(index + 1)?);
+        let f = self.corner_fraction();
+        let toward = |p: Point| [x[0] + f * (p[0] - x[0]), x[1] + f * (p[1] - x[1])];
+        Some([toward(a), x, toward(b)])
+    }
+
+    /// The smoothed corner at node `index` for a point.
+    pub(super) fn corner(
+        &self,
+        positions: &[[f64; 3]],
+        point: Point,
+        index: usize,
+    ) -> Option<Candidate> {
+        if index == 0 || self.cut(positions, index) == 0.0 {
+            return None;
+        }
+        let control = self.corner_control(positions, index)?;
+        let s = project_quadratic(&control, point)?;
+        let weights = [(1.0 - s) * (1.0 - s), 2.0 * s * (1.0 - s), s * s];
+        let mut apart = point;
+        for (weight, p) in weights.iter().zip(control) {
+            apart = [apart[0] - weight * p[0], apart[1] - weight * p[1]];
+        }
+        let piece = Piece { index, kind: PieceKind::Corner, parameter: s };
+        Some(Candidate { piece, distance: apart[0].hypot(apart[1]), outside: 0.0 })
+    }
+}
+
+/// Whether a chain turns to its outside, which is on its left, or hardly at all, at a node between its
+/// ends.
+fn is_valley(positions: &[[f64; 3]], node: usize) -> bool {
+    let [before, here, behind] = [node - 1, node, node + 1].map(|node| flat(positions[node]));
+    let ways = (sub(here, before), sub(behind, here));
+    cross(ways.0, ways.1) > -FLAT * dot(ways.0, ways.1).abs()
 }
 
 #[cfg(test)]

@@ -12,7 +12,8 @@
 //! Of two nodes that meet each other's faces one alone is a slave: the one that ranks first.
 //! docs/theory.md section 5.12. (derived)
 
-use super::chain::{Candidate, Chain, ChainTree, Piece, PieceKind, better, flat, joined};
+use super::chain::{Candidate, Chain, Piece, PieceKind, flat};
+use super::nearest::{ChainTree, better, joined};
 use super::tree::{Bounds, BoxTree};
 use super::{Point, cross, dot, sub};
 

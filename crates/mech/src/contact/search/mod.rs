@@ -13,10 +13,11 @@ pub mod chain;
 pub mod edges;
 pub mod faces;
 pub mod itself;
+pub mod nearest;
 pub mod outlook;
 pub mod own_faces;
 pub mod pass;
-mod pieces;
+
 pub mod rigid;
 pub mod segment;
 pub mod sharp;

@@ -8,7 +8,8 @@
 //!
 //! docs/theory.md section 5.14. (derived)
 
-use super::chain::{Chain, Nearby, Piece, PieceKind, flat};
+use super::chain::{Chain, Piece, PieceKind, flat};
+use super::nearest::Nearby;
 use super::outlook::{BEYOND, Outlook, SUNK};
 use super::{INSIDE, Point, cross, dot, project_line, project_quadratic, sub};
 use crate::vector::Vector;

@@ -1,4 +1,5 @@
-use super::{Chain, Nearby, PieceKind, raised};
+use super::super::nearest::Nearby;
+use super::{Chain, PieceKind, raised};
 
 fn zigzag() -> Vec<[f64; 3]> {
     [[0.0, 0.0], [1.0, 0.0], [2.0, 0.5], [3.5, 0.0]].map(raised).to_vec()

@@ -1,4 +1,5 @@
-use super::super::chain::{Chain, Nearby, PieceKind};
+use super::super::chain::{Chain, PieceKind};
+use super::super::nearest::Nearby;
 use super::*;
 
 /// Nodes of a circle about the origin at these angles [degrees].
