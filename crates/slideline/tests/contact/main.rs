@@ -41,6 +41,7 @@ mod seams;
 mod self_contact;
 mod self_contact_in_space;
 mod sharp_edges;
+mod sides_within;
 mod solid_contact;
 mod space_decks;
 mod stacks;

@@ -120,7 +120,7 @@ impl FaceRoom {
         let state = &mut self.faces[place];
         state.places = places;
         state.overlaps.clear();
-        self.cover.find(&places, &self.near, &mut state.overlaps);
+        self.cover.find((&places, &own.ends), &self.near, &mut state.overlaps);
         // faces that cover nothing are forgotten
         state.masters.clear();
         let mut last = None;

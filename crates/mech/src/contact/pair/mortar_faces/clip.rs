@@ -185,6 +185,11 @@ impl Window {
         (window.area > 0.0).then_some(window)
     }
 
+    /// Corners of the piece as they are seen [L].
+    pub fn corners(&self) -> &[[f64; 2]] {
+        self.corners.places()
+    }
+
     /// The place of its plane through the origin that is seen there [L].
     pub fn in_space(&self, [x, y]: [f64; 2]) -> [f64; 3] {
         std::array::from_fn(|axis| x * self.axes[0][axis] + y * self.axes[1][axis])

@@ -10,7 +10,8 @@ use super::clip::{Overlap, Polygon, Window};
 use super::ends::FaceEnds;
 use super::face_places::FacePlaces;
 use super::places::{dot, sub};
-use super::shapes::{MOST_NODES, pieces};
+use super::places::{flat_cross, flat_sub};
+use super::shapes::{MOST_CORNERS, MOST_NODES, edge_between, pieces};
 
 /// Cosine of the angle between normals up to which a piece faces another one [1]; steeper ones hide
 /// what is behind them.
@@ -51,6 +52,50 @@ struct Seen {
     faces: bool,
 }
 
+/// Where a piece of the slave is at an end of its surface.
+struct PieceEnds {
+    /// Its edges that are.
+    edges: [bool; MOST_CORNERS],
+    /// Its corners that are.
+    corners: [bool; MOST_CORNERS],
+}
+
+impl PieceEnds {
+    fn new(ends: &FaceEnds, count: usize, piece: usize) -> Self {
+        let nodes = pieces(count)[piece];
+        let is_end = |k: usize| {
+            let next = nodes[(k + 1) % nodes.len()];
+            edge_between(count, nodes[k], next).is_some_and(|edge| ends.edges[edge])
+        };
+        let of = |is: &dyn Fn(usize) -> bool| std::array::from_fn(|k| k < nodes.len() && is(k));
+        Self { edges: of(&is_end), corners: of(&|k| ends.nodes[nodes[k]]) }
+    }
+
+    /// Whether polygons reach less than a way [L] from one of the ends of a piece with these corners.
+    fn is_within<'a>(
+        &self,
+        corners: &[[f64; 2]],
+        polygons: impl Iterator<Item = &'a Polygon> + Clone,
+        way: f64,
+    ) -> bool {
+        let all = |is_near: &dyn Fn([f64; 2]) -> bool| {
+            polygons.clone().flat_map(|own| own.places()).all(|&at| is_near(at))
+        };
+        way > 0.0
+            && (0..corners.len()).any(|k| {
+                let from = corners[k];
+                let along = flat_sub(corners[(k + 1) % corners.len()], from);
+                let length = along[0].hypot(along[1]);
+                let by_edge = |at| flat_cross(along, flat_sub(at, from)) < way * length;
+                let by_corner = |at| {
+                    let [x, y] = flat_sub(at, from);
+                    x.hypot(y) < way
+                };
+                (self.edges[k] && all(&by_edge)) || (self.corners[k] && all(&by_corner))
+            })
+    }
+}
+
 /// The overlaps of a face, in a list that is used again.
 #[derive(Debug, Clone, Default)]
 pub struct Cover {
@@ -58,10 +103,10 @@ pub struct Cover {
 }
 
 impl Cover {
-    /// Adds the overlaps of a slave face with faces that may face it.
+    /// Adds the overlaps of a slave face, which is at ends of its surface there, with faces that may face it.
     pub fn find(
         &mut self,
-        slave: &FacePlaces<f64>,
+        (slave, ends): (&FacePlaces<f64>, &FaceEnds),
         masters: &[Faced],
         overlaps: &mut Vec<Overlap>,
     ) {
@@ -73,6 +118,7 @@ impl Cover {
                     self.see((piece, place, master_piece), slave, &window, &master.places);
                 }
             }
+            self.leave_out_across(&window, &PieceEnds::new(ends, slave.count, piece));
             self.leave_out_far(&window);
             self.hide(&window);
             overlaps.extend(self.seen.iter().filter(|own| own.faces).map(|own| own.overlap));
@@ -101,6 +147,36 @@ impl Cover {
         let height = dot(sub(own, upon), window.normal);
         let gap = dot(sub(from, upon), plane.normal) / across - height;
         self.seen.push(Seen { overlap, polygon, gap, faces: across < -STEEP });
+    }
+
+    /// Leaves out what lies along an end of the slave and is deeper than it is wide, with all that is about as deep:
+    /// the end went in through another side of the master than the one that it faces from inside.
+    ///
+    /// ```text
+    ///         |  slave  |
+    ///     ----o---------o----      the sides of the slave, sunk by rounding or by what is allowed,
+    ///     |     master      |      would face those of the master from within: not contact
+    /// ```
+    fn leave_out_across(&mut self, window: &Window, ends: &PieceEnds) {
+        let went_in_elsewhere = |own: &Seen| {
+            let depth = -own.gap;
+            own.faces && ends.is_within(window.corners(), self.about_as_deep(own), depth) && {
+                let covered: f64 = self.about_as_deep(own).map(Polygon::area).sum();
+                covered < (1.0 - ROUNDING) * window.area
+            }
+        };
+        if !self.seen.iter().any(went_in_elsewhere) {
+            return;
+        }
+        let left_out: Vec<bool> = self.seen.iter().map(went_in_elsewhere).collect();
+        let mut left_out = left_out.into_iter();
+        self.seen.retain(|_| !left_out.next().unwrap_or_default());
+    }
+
+    /// What the slave faces at half the depth of an overlap and more.
+    fn about_as_deep(&self, own: &Seen) -> impl Iterator<Item = &Polygon> + Clone {
+        let least = 0.5 * own.gap;
+        self.seen.iter().filter(move |other| other.faces && other.gap <= least).map(|o| &o.polygon)
     }
 
     fn leave_out_far(&mut self, window: &Window) {

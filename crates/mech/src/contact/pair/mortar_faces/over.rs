@@ -11,7 +11,7 @@
 use super::clip::{Corner, Overlap};
 use super::couple::Couple;
 use super::ends::Ends;
-use super::shapes::{corners, pieces};
+use super::shapes::{edge_between, pieces};
 use crate::differentiate::Real;
 
 /// Part of a cell beside an end of the slave in which bounds stand at it: there surfaces end together
@@ -93,15 +93,6 @@ impl<R: Real> Couple<'_, R> {
             }
         }
     }
-}
-
-/// The edge of a face of so many nodes that a piece of it shares between two nodes.
-fn edge_between(count: usize, a: usize, b: usize) -> Option<usize> {
-    let corners = corners(count);
-    let is_upon = |edge: usize, node: usize| {
-        node == edge || node == (edge + 1) % corners || node == corners + edge
-    };
-    (0..corners).find(|&edge| is_upon(edge, a) && is_upon(edge, b))
 }
 
 /// The distance from an end after it went over, and its derivative.

@@ -64,6 +64,15 @@ pub fn pieces(nodes: usize) -> &'static [&'static [usize]] {
     }
 }
 
+/// The edge of a face of so many nodes that a piece of it shares between two nodes.
+pub(super) fn edge_between(count: usize, a: usize, b: usize) -> Option<usize> {
+    let corners = corners(count);
+    let is_upon = |edge: usize, node: usize| {
+        node == edge || node == (edge + 1) % corners || node == corners + edge
+    };
+    (0..corners).find(|&edge| is_upon(edge, a) && is_upon(edge, b))
+}
+
 /// Shape functions of a face of so many nodes.
 pub fn shapes<R: Real>(nodes: usize, at: [R; 2]) -> Shapes<R> {
     let nothing = [R::from_f64(0.0); MOST_NODES];

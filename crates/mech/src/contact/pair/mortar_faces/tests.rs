@@ -72,7 +72,7 @@ impl Case {
             places: self.master,
             ends: self.ends.master,
         }];
-        Cover::default().find(&self.slave, &masters, &mut overlaps);
+        Cover::default().find((&self.slave, &self.ends.slave), &masters, &mut overlaps);
         assert!(!overlaps.is_empty());
         overlaps
     }
@@ -327,7 +327,8 @@ fn faces_that_do_not_match_cover_one_another() {
                 for slave in &slaves {
                     let measure = reference_areas(slave);
                     let mut overlaps = Vec::new();
-                    Cover::default().find(slave, &masters, &mut overlaps);
+                    let no_ends = FaceEnds::default();
+                    Cover::default().find((slave, &no_ends), &masters, &mut overlaps);
                     for own in &overlaps {
                         let master = &masters[own.master].places;
                         let ends = Ends::default();
@@ -378,7 +379,7 @@ fn the_nearest_counts() {
             })
             .collect();
         let mut overlaps = Vec::new();
-        Cover::default().find(&slave, &masters, &mut overlaps);
+        Cover::default().find((&slave, &FaceEnds::default()), &masters, &mut overlaps);
         overlaps.iter().map(|own| own.master).collect::<Vec<_>>()
     };
     assert_eq!(faced(&[(0.4, true), (0.3, true)]), [1]);
@@ -386,4 +387,36 @@ fn the_nearest_counts() {
     assert_eq!(faced(&[(-0.1, true), (-0.4, false)]), [0]);
     assert_eq!(faced(&[(0.1, true), (9.0, true)]), [0]);
     assert!(dot(sub(slave.nodes[0], slave.nodes[2]), [1.0, 1.0, 0.0]) < 0.0);
+}
+
+/// Requirement: what lies along an end of the slave and is deeper than it is wide is not covered, whether it is one face
+/// of the master or several; what covers all of the slave, is as wide as it is deep, or lies along no end, is.
+#[test]
+fn an_end_that_went_in_elsewhere_meets_nothing() {
+    let slave = paved(4, 1, 0.0, false)[0];
+    // one edge is an end: y = -1
+    let mut ends = FaceEnds::default();
+    (ends.edges[0], ends.nodes[0], ends.nodes[1]) = (true, true, true);
+    let covered = |ends: &FaceEnds, cells: usize, depth: f64, [from, to]: [f64; 2]| {
+        let place = |mut own: FacePlaces<f64>| {
+            for node in &mut own.nodes[..own.count] {
+                node[1] = from + 0.5 * (1.0 + node[1]) * (to - from);
+            }
+            Faced { face: 0, nodes: [0; MOST_NODES], places: own, ends: FaceEnds::default() }
+        };
+        let masters: Vec<Faced> = paved(4, cells, -depth, true).into_iter().map(place).collect();
+        let mut overlaps = Vec::new();
+        Cover::default().find((&slave, ends), &masters, &mut overlaps);
+        overlaps.len()
+    };
+    for cells in [1, 3] {
+        let all = cells * cells;
+        assert_eq!(covered(&ends, cells, 0.5, [-2.0, -0.9]).min(all), 0);
+        assert!(covered(&ends, cells, 0.5, [-2.0, -0.4]) > 0);
+        assert!(covered(&ends, cells, 0.05, [-2.0, -0.9]) > 0);
+        assert_eq!(covered(&ends, cells, 0.5, [-1.0, 1.0]), all);
+        assert_eq!(covered(&ends, cells, 3.0, [-1.0, 1.0]), all);
+        assert!(covered(&FaceEnds::default(), cells, 0.5, [-2.0, -0.9]) > 0);
+        assert!(covered(&ends, cells, 0.5, [0.9, 2.0]) > 0);
+    }
 }

@@ -80,7 +80,7 @@ fn forces(slave: &Sheet, master: &Sheet, pressure: &[f64]) -> Vec<Place<f64>> {
         let own = slave.places(nodes);
         let measure = reference_areas(&own);
         let mut overlaps = Vec::new();
-        Cover::default().find(&own, &faced, &mut overlaps);
+        Cover::default().find((&own, &FaceEnds::default()), &faced, &mut overlaps);
         for overlap in &overlaps {
             let other = &faced[overlap.master];
             let master = &other.places;
