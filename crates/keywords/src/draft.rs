@@ -17,7 +17,7 @@ use slideline_model::{
 };
 
 use crate::axes::{Distribution, Orientation, Transform};
-use crate::constraints::{Coupling, Equation, Link, PreTension, ShapeMpc, Tie};
+use crate::constraints::{Coupling, Embedment, Equation, Link, PreTension, ShapeMpc, Tie};
 use crate::expression::Values;
 use crate::log::{Log, MAX_LABEL};
 use crate::motion::Frame;
@@ -111,6 +111,7 @@ pub(crate) struct Draft {
     /// The nodes that cuts by pre-tension sections have added, and those that they stand for.
     pub cut_nodes: Numbered<u64, u64>,
     pub shape_mpcs: Vec<ShapeMpc>,
+    pub embedments: Vec<Embedment>,
     /// Dofs that follow others, and where it was said; known when links are resolved.
     pub dependents: Numbered<(NodeIndex, Dof), Span>,
     /// Ends of masters in pieces that are taken for one, and the complaint where they are not.

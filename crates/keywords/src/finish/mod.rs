@@ -14,6 +14,7 @@ mod coupling;
 mod dimension;
 mod distributed;
 mod distributing;
+mod embedded;
 mod equations;
 mod faces;
 mod facing;
@@ -99,6 +100,7 @@ pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     point_masses::masses(draft);
     faces::check(draft);
     axes::transforms(draft);
+    coupling::axes_of_references(draft);
     contact::pairs(draft);
     surface_pairs::pairs(draft);
     pre_tension::tie(&parted, draft);
