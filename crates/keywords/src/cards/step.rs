@@ -52,13 +52,13 @@ impl Keyword for Step {
             let before = draft.steps.last().map_or(card.span(), |step| step.origin);
             draft.log.push(error.label(before, "this step is still open"));
         }
-        if card.has("PERTURBATION") {
-            perturbation(card, draft);
-        }
         let lines: Vec<&str> = card.data().iter().map(|line| line.text.as_str()).collect();
         // once on it stays on, in both dialects, until a step says NO
         let before = draft.steps.last().is_some_and(|step| step.nlgeom);
         let nlgeom = card.yes("NLGEOM", &mut draft.log).unwrap_or(before);
+        if card.has("PERTURBATION") {
+            perturbation(card, nlgeom, draft);
+        }
         let guess = card.choice("EXTRAPOLATION", &["LINEAR", "PARABOLIC", "NO"], &mut draft.log);
         let amplitude = card.choice("AMPLITUDE", &["RAMP", "STEP"], &mut draft.log);
         let max_increments = increments(card, draft);
@@ -105,9 +105,9 @@ impl Keyword for Step {
 
 /// The first step of a job without NLGEOM is the same with and without it; any other would be
 /// linear about a loaded state.
-fn perturbation(card: &Reading<'_>, draft: &mut Draft) {
+fn perturbation(card: &Reading<'_>, nlgeom: bool, draft: &mut Draft) {
     let span = card.span_of("PERTURBATION");
-    if draft.steps.is_empty() && !card.has("NLGEOM") {
+    if draft.steps.is_empty() && !nlgeom {
         let message = "PERTURBATION has no effect in a first step with linear kinematics";
         draft.log.note("SL0257", message, span);
         return;
