@@ -6,6 +6,7 @@ mod amplitudes;
 mod axes;
 mod axes_of_elements;
 mod beam_normals;
+mod behind;
 mod chain;
 mod changed_sections;
 mod clearances;
