@@ -803,6 +803,13 @@ fn linear_steps_and_equations_that_end() {
         assert!(codes(&deck(&said(linear), &[]), A).is_empty(), "{linear}");
     }
     assert_eq!(codes(&deck(&said(", NLGEOM"), &[]), A), ["SL0221"]);
+    let two = said("").repeat(2);
+    assert!(codes(&deck(&two, &[]), A).is_empty());
+    let behind = format!("{}{}", step(load).replace(", NLGEOM", ""), said(""));
+    assert_eq!(codes(&deck(&behind, &[]), A), ["SL0221"]);
+    assert_eq!(codes(&deck(&two, &[]), C), ["SL0221"]);
+    let yields: &[(&str, &str)] = &[("*ELASTIC", "*PLASTIC\n1e6, 0.\n*ELASTIC")];
+    assert_eq!(codes(&deck(&said(""), yields), A), ["SL0221"]);
     for ends in ["*EQUATION, REMOVE\n6, 2", "*EQUATION, REMOVE ALL"] {
         assert_eq!(codes(&deck(&step(&format!("{ends}\n{load}")), &[]), C), ["SL0221"], "{ends}");
     }
