@@ -110,6 +110,8 @@ pub(crate) struct Draft {
     pub pre_tensions: Vec<PreTension>,
     /// The nodes that cuts by pre-tension sections have added, and those that they stand for.
     pub cut_nodes: Numbered<u64, u64>,
+    /// Dofs of nodes that stand in for others, what they follow, and their `*SPRING`.
+    pub crossed_springs: Vec<((NodeIndex, Dof), (NodeIndex, Dof), Span)>,
     pub shape_mpcs: Vec<ShapeMpc>,
     pub embedments: Vec<Embedment>,
     /// Dofs that follow others, and where it was said; known when links are resolved.
