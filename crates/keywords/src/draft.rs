@@ -13,7 +13,8 @@ use std::collections::HashMap;
 use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
-    Dialect, Dof, Interaction, Model, Node, NodeIndex, Numbered, NumberedSet, SavedStates,
+    Dialect, Dof, Interaction, LinearConstraint, Model, Node, NodeIndex, Numbered, NumberedSet,
+    SavedStates,
 };
 
 use crate::axes::{Distribution, Orientation, Transform};
@@ -110,8 +111,8 @@ pub(crate) struct Draft {
     pub pre_tensions: Vec<PreTension>,
     /// The nodes that cuts by pre-tension sections have added, and those that they stand for.
     pub cut_nodes: Numbered<u64, u64>,
-    /// Dofs of nodes that stand in for others, what they follow, and their `*SPRING`.
-    pub crossed_springs: Vec<((NodeIndex, Dof), (NodeIndex, Dof), Span)>,
+    /// What nodes follow that stand in for others in `*SPRING`.
+    pub crossed_springs: Vec<LinearConstraint>,
     pub shape_mpcs: Vec<ShapeMpc>,
     pub embedments: Vec<Embedment>,
     /// Dofs that follow others, and where it was said; known when links are resolved.

@@ -7,7 +7,8 @@
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
-    Dof, ElementBlock, ElementType, Node, NodeIndex, SpringLaw, SpringSection, SpringWay, types,
+    Dof, ElementBlock, ElementType, LinearConstraint, Node, NodeIndex, SpringLaw, SpringSection,
+    SpringWay, types,
 };
 
 use super::sections::without;
@@ -94,14 +95,15 @@ fn stand_in(
     let (label, position) = (last + 1, draft.model.nodes.position(node));
     draft.cut_nodes.insert(label, draft.uncut(draft.model.nodes.label(node)));
     let own = draft.model.nodes.insert(Node { label, position, origin });
-    draft.crossed_springs.push(((own, dof), (node, other), origin));
+    let (dependent, terms) = ((own, dof), vec![(node, other, 1.0)]);
+    draft.crossed_springs.push(LinearConstraint { dependent, terms, constant: 0.0, origin });
     own
 }
 
 /// Makes the nodes that stand in for others follow them.
 pub(super) fn cross(draft: &mut Draft) {
-    for (own, (node, dof), origin) in std::mem::take(&mut draft.crossed_springs) {
-        super::equations::add(draft, own, vec![(node, dof, 1.0)], origin);
+    for own in std::mem::take(&mut draft.crossed_springs) {
+        super::equations::add(draft, own.dependent, own.terms, own.origin);
     }
 }
 

@@ -151,12 +151,8 @@ fn linear(step: &StepDraft, draft: &mut Draft) {
     draft.log.push(said);
 }
 
-fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
-    linear(&step, draft);
-    perturbs(&step, draft);
-    // what passes time has its loads at once unless it says otherwise, in both dialects
-    let passes = step.procedure.is_some_and(|own| own.passage == Passage::Passing);
-    let at_once = step.at_once.unwrap_or(passes);
+/// What a step prescribes beside what stands.
+fn supports(step: &StepDraft, carried: &mut Carried, draft: &mut Draft) {
     let alone = step.perturbation.is_some() && !draft.model.steps.is_empty();
     if step.new_boundary || alone {
         carried.prescribed = InForce::default();
@@ -164,11 +160,20 @@ fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
     if alone && !step.new_boundary {
         supports_of_all(carried, draft);
     }
-    if step.new_loads {
-        carried.loads.remove(|_| true);
-    }
     for line in &step.boundary {
         prescribe(line, &mut carried.prescribed, draft);
+    }
+}
+
+fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
+    linear(&step, draft);
+    perturbs(&step, draft);
+    // what passes time has its loads at once unless it says otherwise, in both dialects
+    let passes = step.procedure.is_some_and(|own| own.passage == Passage::Passing);
+    let at_once = step.at_once.unwrap_or(passes);
+    supports(&step, carried, draft);
+    if step.new_loads {
+        carried.loads.remove(|_| true);
     }
     carried.loads.take(loads(&step.loads, draft));
     let presence = carried.absent.change(&step, draft);

@@ -416,3 +416,17 @@ fn perturbations_answer_to_their_own_loads() {
     none(&faults);
     assert_eq!(rows.last().map(|row| row.step), Some(5));
 }
+
+/// Requirement: in the dialect of CalculiX P with the number of a face loads surfaces as P, and elements
+/// as `*DLOAD` does. Source: ccx 2.20. 1e-9.
+#[test]
+fn numbered_pressures_of_calculix() {
+    let dialect = Dialect::Calculix;
+    let plain = unit("*DSLOAD\nRIGHT, P, 4.\n", dialect);
+    let cards = ["RIGHT, P2, 4.", "R, P2, 4.", "2, P2, 4.\n4, P2, 4."];
+    let faults = cards.map(|lines| {
+        let row = unit(&format!("*DSLOAD\n{lines}\n"), dialect);
+        fault(&row, &[(1.0, &plain)], lines)
+    });
+    none(&faults.into_iter().flatten().collect::<Vec<_>>());
+}
