@@ -110,6 +110,25 @@ pub(crate) struct Coupling {
     pub origin: Span,
 }
 
+/// `*EMBEDDED ELEMENT`: elements whose nodes follow the solids they lie in.
+#[derive(Clone, Debug)]
+pub(crate) struct Embedment {
+    /// The set of solids; none: all that are not embedded.
+    pub hosts: Option<Named>,
+    pub embedded: Vec<(Target, Span)>,
+    pub outside: Outside,
+    pub origin: Span,
+}
+
+/// How far from its host a node may lie: the smaller of what is given.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Outside {
+    /// A distance [L].
+    pub distance: f64,
+    /// A part of the mean size of the hosts [1].
+    pub part: f64,
+}
+
 /// `*TIE`, a line of it.
 #[derive(Clone, Debug)]
 pub(crate) struct Tie {

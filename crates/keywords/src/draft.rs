@@ -13,11 +13,12 @@ use std::collections::HashMap;
 use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
-    Dialect, Dof, Interaction, Model, Node, NodeIndex, Numbered, NumberedSet, SavedStates,
+    Dialect, Dof, Interaction, LinearConstraint, Model, Node, NodeIndex, Numbered, NumberedSet,
+    SavedStates,
 };
 
 use crate::axes::{Distribution, Orientation, Transform};
-use crate::constraints::{Coupling, Equation, Link, PreTension, ShapeMpc, Tie};
+use crate::constraints::{Coupling, Embedment, Equation, Link, PreTension, ShapeMpc, Tie};
 use crate::expression::Values;
 use crate::log::{Log, MAX_LABEL};
 use crate::motion::Frame;
@@ -110,7 +111,10 @@ pub(crate) struct Draft {
     pub pre_tensions: Vec<PreTension>,
     /// The nodes that cuts by pre-tension sections have added, and those that they stand for.
     pub cut_nodes: Numbered<u64, u64>,
+    /// What nodes follow that stand in for others in `*SPRING`.
+    pub crossed_springs: Vec<LinearConstraint>,
     pub shape_mpcs: Vec<ShapeMpc>,
+    pub embedments: Vec<Embedment>,
     /// Dofs that follow others, and where it was said; known when links are resolved.
     pub dependents: Numbered<(NodeIndex, Dof), Span>,
     /// Ends of masters in pieces that are taken for one, and the complaint where they are not.

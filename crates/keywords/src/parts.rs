@@ -52,6 +52,7 @@ impl Draft {
             distributions: take(&mut self.distributions),
             pre_tensions: take(&mut self.pre_tensions),
             shape_mpcs: take(&mut self.shape_mpcs),
+            embedments: take(&mut self.embedments),
             initial: take(&mut self.initial),
         }
     }
@@ -83,6 +84,7 @@ impl Draft {
         self.distributions = contents.distributions;
         self.pre_tensions = contents.pre_tensions;
         self.shape_mpcs = contents.shape_mpcs;
+        self.embedments = contents.embedments;
         self.initial = contents.initial;
     }
 

@@ -244,6 +244,11 @@ impl Drawing {
         [points, displacement]
     }
 
+    /// How many of the points are those of rigid surfaces, behind all others.
+    pub fn outline_points(&self) -> usize {
+        self.outlines.iter().map(|outline| outline.points.len()).sum()
+    }
+
     /// Three values of every node at all points; zero on rigid surfaces.
     pub fn values(&self, of_nodes: Vec<f64>) -> Vec<f64> {
         let mut values = self.with_copies(of_nodes);

@@ -14,6 +14,9 @@ use crate::state::State;
 use slideline_mech::pressure::MOST_NODES;
 use slideline_model::{Dof, NodeIndex, SectionFace, SectionPrint};
 
+/// Part of the area below which the sum of its normals is rounding [1].
+const EVEN: f64 = 1e-10;
+
 /// Fills a row for every request of the step, of a state that was just committed.
 pub fn section_rows(plan: &Problem<'_>, state: &State, work: &Scratch, rows: &mut Vec<SectionRow>) {
     rows.clear();
@@ -65,14 +68,14 @@ impl SectionRow {
         }
     }
 
-    /// Turns sums over the area into means; the normal is given the length one.
+    /// Turns sums over the area into means; the normal is given the length one, or none where faces
+    /// look both ways.
     fn take_means(&mut self) {
         if self.area > 0.0 {
             self.centre = self.centre.map(|sum| sum / self.area);
         }
         let long = self.normal.iter().fold(0.0, |sum: f64, own| sum.hypot(*own));
-        if long > 0.0 {
-            self.normal = self.normal.map(|sum| sum / long);
-        }
+        let scale = if long > EVEN * self.area { 1.0 / long } else { 0.0 };
+        self.normal = self.normal.map(|sum| scale * sum);
     }
 }

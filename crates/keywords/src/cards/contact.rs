@@ -16,6 +16,11 @@ impl Keyword for Contact {
         "CONTACT"
     }
 
+    fn without_effect(&self) -> &'static [&'static str] {
+        // there is one *CONTACT in a deck, so that nothing is replaced
+        &["OP"]
+    }
+
     fn level(&self) -> Level {
         Level::Model
     }

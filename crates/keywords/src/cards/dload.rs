@@ -94,7 +94,8 @@ fn without_effect(
     }
 }
 
-fn line_of(line: &DataLine, draft: &mut Draft) -> Option<Distributed> {
+/// A load on elements.
+pub(super) fn line_of(line: &DataLine, draft: &mut Draft) -> Option<Distributed> {
     let label = line.field(1).map_or(String::new(), |field| normalise(&field.text));
     // gravity on the whole model needs no set
     let target = match line.field(0) {

@@ -1,8 +1,9 @@
 //! `*DSLOAD`: loads on surfaces.
 
 use slideline_deck::{DataLine, normalise};
+use slideline_model::Dialect;
 
-use super::dload::{direction, take, unknown};
+use super::dload::{self, direction, take, unknown};
 use crate::distributed::{Distributed, Kind, On};
 use crate::draft::Draft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
@@ -52,7 +53,14 @@ fn line_of(line: &DataLine, draft: &mut Draft) -> Option<Distributed> {
         return None;
     };
     let label = line.field(1).map_or(String::new(), |field| normalise(&field.text));
-    let kind = match label.as_str() {
+    let name = normalise(&field.text);
+    // CalculiX takes P with the number of a face: of a surface it is P, of elements that of *DLOAD
+    let numbered = draft.dialect == Dialect::Calculix && is_numbered(&label);
+    if numbered && !draft.named_surfaces.iter().any(|own| own.named.name == name) {
+        return dload::line_of(line, draft);
+    }
+    let label = if numbered { "P" } else { &label };
+    let kind = match label {
         "P" => {
             draft.log.at_most(line, 3);
             Kind::Pressure
@@ -65,6 +73,10 @@ fn line_of(line: &DataLine, draft: &mut Draft) -> Option<Distributed> {
         }
     };
     let value = draft.log.number(line, 2, "the size of the load")?;
-    let on = On::Surface(Named { name: normalise(&field.text), span: field.span });
+    let on = On::Surface(Named { name, span: field.span });
     Some(Distributed::new(on, (kind, None), value, line.span))
+}
+
+fn is_numbered(label: &str) -> bool {
+    label.strip_prefix('P').is_some_and(|number| ["1", "2", "3", "4", "5", "6"].contains(&number))
 }

@@ -21,12 +21,13 @@ impl Keyword for Equation {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] = &[Rule::value("INPUT")];
+        const RULES: &[Rule] =
+            &[Rule::value("INPUT"), Rule::flag("REMOVE"), Rule::flag("REMOVE ALL")];
         RULES
     }
 
     fn level(&self) -> Level {
-        Level::Model
+        Level::Both
     }
 
     fn subject(&self) -> Subject {
@@ -38,6 +39,10 @@ impl Keyword for Equation {
     }
 
     fn read(&self, card: &Reading<'_>, draft: &mut Draft) {
+        if draft.in_step || card.has("REMOVE") || card.has("REMOVE ALL") {
+            changes(card, draft);
+            return;
+        }
         if card.first_line("the number of terms", &mut draft.log).is_none() {
             return;
         }
@@ -57,6 +62,19 @@ impl Keyword for Equation {
             draft.equations.push(Terms { terms, origin: line.span });
         }
     }
+}
+
+/// Equations are those of all steps; complains about what begins or ends with one.
+fn changes(card: &Reading<'_>, draft: &mut Draft) {
+    let (code, message) = match ["REMOVE", "REMOVE ALL"].into_iter().find(|name| card.has(name)) {
+        Some(name) => {
+            ("SL0221", format!("*EQUATION, {name} is not supported: equations hold in all steps"))
+        }
+        None => ("SL0214", "*EQUATION belongs before the first *STEP".to_owned()),
+    };
+    let help = "for one that ends, give its last term the dof of a further node, hold that by *BOUNDARY, and \
+                let it go with *BOUNDARY, OP=NEW";
+    draft.log.push(Diagnostic::error(Code(code), message).at(card.span()).help(help));
 }
 
 /// The line before the terms: how many there are.

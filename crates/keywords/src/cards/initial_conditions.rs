@@ -50,6 +50,10 @@ impl Keyword for InitialConditions {
                 stresses(true, card, draft);
             }
             Some("HARDENING") if draft.dialect == Dialect::Abaqus => hardened(card, draft),
+            Some("DISPLACEMENT") if draft.dialect == Dialect::Calculix => {
+                let message = "initial displacements have no effect in a static step";
+                draft.log.note("SL0257", message, card.span());
+            }
             other => otherwise(other.unwrap_or_default(), card, draft),
         }
     }

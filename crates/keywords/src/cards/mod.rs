@@ -55,6 +55,7 @@ pub(crate) mod element;
 pub(crate) mod element_output;
 pub(crate) mod elgen;
 pub(crate) mod elset;
+pub(crate) mod embedded_element;
 pub(crate) mod end_assembly;
 pub(crate) mod end_instance;
 pub(crate) mod end_part;

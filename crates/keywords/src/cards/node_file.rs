@@ -15,7 +15,8 @@ impl Keyword for NodeFile {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] = &[Rule::value("NSET"), Rule::value("FREQUENCY")];
+        const RULES: &[Rule] =
+            &[Rule::value("NSET"), Rule::value("FREQUENCY"), Rule::value("GLOBAL")];
         RULES
     }
 

@@ -51,7 +51,11 @@ impl Keyword for NodePrint {
 /// Takes in a request for nodal values.
 pub(crate) fn request(card: &Reading<'_>, kind: Kind, draft: &mut Draft) {
     let asked = requests::read(card, kind, &mut |_| false, draft);
-    let own_axes = card.yes("GLOBAL", &mut draft.log) != Some(true);
+    // tables are along the axes of the nodes, files along those of the model
+    let own_axes = match card.yes("GLOBAL", &mut draft.log) {
+        Some(global) => !global,
+        None => kind != Kind::File,
+    };
     if let (Some(asked), Some(step)) = (asked, draft.step()) {
         let (request, variables) = (asked.request, asked.variables);
         let print = model::NodePrint { request, nodes: Vec::new(), variables, own_axes };

@@ -13,8 +13,12 @@ impl Keyword for SolidSection {
     }
 
     fn parameters(&self) -> &'static [Rule] {
-        const RULES: &[Rule] =
-            &[Rule::required("ELSET"), Rule::required("MATERIAL"), Rule::value("ORIENTATION")];
+        const RULES: &[Rule] = &[
+            Rule::required("ELSET"),
+            Rule::required("MATERIAL"),
+            Rule::value("ORIENTATION"),
+            Rule::flag("NODAL THICKNESS"),
+        ];
         RULES
     }
 
@@ -45,7 +49,7 @@ impl Keyword for SolidSection {
             material,
             material_span: card.span_of("MATERIAL"),
             set_span: card.span_of("ELSET"),
-            body: Body::Solid { thickness },
+            body: Body::Solid { thickness, by_nodes: card.has("NODAL THICKNESS") },
             orientation: card.name("ORIENTATION").map(|name| (name, card.span_of("ORIENTATION"))),
             origin: card.span(),
         });

@@ -1,7 +1,7 @@
 //! `*STEP`: opens a step.
 
-use slideline_diag::{Code, Diagnostic};
-use slideline_model::Extrapolation;
+use slideline_diag::{Code, Diagnostic, Span};
+use slideline_model::{Dialect, Extrapolation};
 
 use crate::draft::Draft;
 use crate::draft::StepDraft;
@@ -52,13 +52,13 @@ impl Keyword for Step {
             let before = draft.steps.last().map_or(card.span(), |step| step.origin);
             draft.log.push(error.label(before, "this step is still open"));
         }
-        if card.has("PERTURBATION") {
-            perturbation(card, draft);
-        }
         let lines: Vec<&str> = card.data().iter().map(|line| line.text.as_str()).collect();
         // once on it stays on, in both dialects, until a step says NO
         let before = draft.steps.last().is_some_and(|step| step.nlgeom);
         let nlgeom = card.yes("NLGEOM", &mut draft.log).unwrap_or(before);
+        let perturbation = card.has("PERTURBATION").then(|| card.span_of("PERTURBATION"));
+        // what the steps before did does not count
+        let alone = perturbation.is_some_and(|span| perturbs(span, nlgeom, draft));
         let guess = card.choice("EXTRAPOLATION", &["LINEAR", "PARABOLIC", "NO"], &mut draft.log);
         let amplitude = card.choice("AMPLITUDE", &["RAMP", "STEP"], &mut draft.log);
         let max_increments = increments(card, draft);
@@ -66,6 +66,7 @@ impl Keyword for Step {
         draft.steps.push(StepDraft {
             title: lines.join("\n"),
             nlgeom,
+            perturbation,
             max_increments,
             unsymmetric: card.yes("UNSYMM", &mut draft.log),
             extrapolation: match guess {
@@ -76,12 +77,12 @@ impl Keyword for Step {
             at_once: amplitude.map(|own| own == "STEP"),
             procedure: None,
             new_boundary: false,
-            new_loads: false,
-            new_distributed: [false; 2],
+            new_loads: alone,
+            new_distributed: [alone; 2],
             distributed: Vec::new(),
             boundary: Vec::new(),
             loads: Vec::new(),
-            new_temperatures: false,
+            new_temperatures: alone,
             temperatures: Vec::new(),
             controls: None,
             restart: None,
@@ -103,18 +104,26 @@ impl Keyword for Step {
     }
 }
 
-/// The first step of a job without NLGEOM is the same with and without it; any other would be
-/// linear about a loaded state.
-fn perturbation(card: &Reading<'_>, draft: &mut Draft) {
-    let span = card.span_of("PERTURBATION");
-    if draft.steps.is_empty() && !card.has("NLGEOM") {
-        let message = "PERTURBATION has no effect in a first step with linear kinematics";
-        draft.log.note("SL0257", message, span);
-        return;
+/// Whether the step is a linear answer to its own loads, behind others like it in the dialect of Abaqus.
+/// The first step of a job without NLGEOM is the same with and without PERTURBATION; complains about
+/// one that would be linear about a loaded state.
+fn perturbs(span: Span, nlgeom: bool, draft: &mut Draft) -> bool {
+    let first = draft.steps.is_empty();
+    let among_others = draft.dialect == Dialect::Abaqus
+        && draft.earlier_steps == 0
+        && draft.steps.iter().all(|step| step.perturbation.is_some());
+    if nlgeom || !(first || among_others) {
+        let message = "PERTURBATION about a loaded state is not supported";
+        let error = Diagnostic::error(Code("SL0221"), message).at(span);
+        draft.log.push(error.help("make it a step of its own kind: leave PERTURBATION out"));
+        return false;
     }
-    let message = "PERTURBATION about a loaded state is not supported";
-    let error = Diagnostic::error(Code("SL0221"), message).at(span);
-    draft.log.push(error.help("make it a step of its own kind: leave PERTURBATION out"));
+    let message = match first {
+        true => "PERTURBATION has no effect in a first step with linear kinematics",
+        false => "the loads, motions and temperatures of the steps before do not count in this one",
+    };
+    draft.log.note("SL0257", message, span);
+    !first
 }
 
 /// Most increments of a step; only a ceiling, for decks set it high to be

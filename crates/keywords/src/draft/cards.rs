@@ -108,6 +108,8 @@ pub(crate) struct Boundary {
 pub(crate) struct StepDraft {
     pub title: String,
     pub nlgeom: bool,
+    /// `PERTURBATION`, where it was said.
+    pub perturbation: Option<Span>,
     pub max_increments: usize,
     pub unsymmetric: Option<bool>,
     pub extrapolation: Extrapolation,

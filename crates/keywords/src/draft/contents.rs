@@ -6,7 +6,7 @@ use super::cards::{Boundary, Gap, Interface, Normal, PointMass, Spring, Surface}
 use super::elements::Element;
 use super::sections::Section;
 use crate::axes::{Distribution, Orientation, Transform};
-use crate::constraints::{Coupling, Equation, Link, PreTension, ShapeMpc, Tie};
+use crate::constraints::{Coupling, Embedment, Equation, Link, PreTension, ShapeMpc, Tie};
 use crate::sets::Sets;
 use crate::surfaces::{Named, NamedSurface, Pairing, RigidBody};
 
@@ -37,6 +37,7 @@ pub(crate) struct Contents {
     pub distributions: Vec<Distribution>,
     pub pre_tensions: Vec<PreTension>,
     pub shape_mpcs: Vec<ShapeMpc>,
+    pub embedments: Vec<Embedment>,
     /// Boundary conditions before the first step.
     pub initial: Vec<Boundary>,
 }

@@ -36,7 +36,11 @@ pub(crate) enum Body {
         elastic: Option<(Elastic, f64)>,
     },
     /// Thickness out of the plane, of a truss its area; one where it is not given.
-    Solid { thickness: Option<f64> },
+    Solid {
+        thickness: Option<f64>,
+        /// Whether its nodes say it: `NODAL THICKNESS`.
+        by_nodes: bool,
+    },
 }
 
 impl Body {
@@ -64,7 +68,7 @@ impl Body {
                 let section = BeamSection { shape, poisson, material, heat, shear, first_axis };
                 model::Section::Beam(section)
             }
-            Self::Solid { thickness } => {
+            Self::Solid { thickness, .. } => {
                 let thickness = thickness.unwrap_or(1.0);
                 let material = material.solid(dialect)?;
                 model::Section::Solid(SolidSection { thickness, material, orientation: None })

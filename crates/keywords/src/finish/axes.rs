@@ -39,15 +39,21 @@ pub(super) fn transforms(draft: &mut Draft) {
         let own = owner.iter().filter(|(_, (owner, _))| *owner == place);
         let mut nodes: Vec<NodeIndex> = own.map(|(&node, _)| node).collect();
         nodes.sort_unstable();
-        if nodes.is_empty() || out_of_plane(&nodes, &transform.system, transform.origin, draft) {
-            continue;
+        if !nodes.is_empty() {
+            give(nodes, transform.system, transform.origin, draft);
         }
-        draft.axes.extend(
-            nodes.iter().map(|&node| (node, transform.system.at(draft.model.nodes.position(node)))),
-        );
-        let (system, origin) = (transform.system, transform.origin);
-        draft.model.transforms.push(Transform { nodes, system, origin });
     }
+}
+
+/// Gives nodes that have none the axes of a system.
+pub(super) fn give(nodes: Vec<NodeIndex>, system: System, origin: Span, draft: &mut Draft) {
+    if out_of_plane(&nodes, &system, origin, draft) {
+        return;
+    }
+    let axes = nodes.iter().map(|&node| (node, system.at(draft.model.nodes.position(node))));
+    let axes: Vec<(NodeIndex, Axes)> = axes.collect();
+    draft.axes.extend(axes);
+    draft.model.transforms.push(Transform { nodes, system, origin });
 }
 
 fn on_axis(node: NodeIndex, system: System, origin: Span, draft: &mut Draft) {

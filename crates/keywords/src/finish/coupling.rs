@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::vector::cross;
-use slideline_model::{Dialect, Dof, NodeIndex, RigidLink};
+use slideline_model::{Dialect, Dof, NodeIndex, RigidLink, System};
 
 use super::distributing::{Mean, distribute};
 use super::equations::{add, solve};
@@ -33,6 +33,24 @@ fn reference_element(set: &str, span: Span, draft: &mut Draft) -> Option<NodeInd
     let error = Diagnostic::error(Code("SL0317"), message).at(span);
     draft.consequence(Subject::Elements, error.help("each coupling has an element of its own"));
     None
+}
+
+/// Gives the reference nodes of `*DISTRIBUTING` the axes of their coupling: in the dialect of CalculiX
+/// forces and moments on them are along these.
+pub(super) fn axes_of_references(draft: &mut Draft) {
+    if draft.dialect != Dialect::Calculix {
+        return;
+    }
+    for coupling in draft.couplings.clone() {
+        let distributes = matches!(coupling.kind, CouplingKind::Distributing(..));
+        let Some((_, span)) = coupling.axes.as_ref().filter(|_| distributes) else { continue };
+        let Some(Some(orientation)) = of_section(coupling.axes.as_ref(), draft) else { continue };
+        let Some(node) = draft.reference_of(&coupling.reference, coupling.reference_span) else {
+            continue;
+        };
+        let system = System::Rectangular(orientation.at(&[], draft.model.nodes.position(node)));
+        super::axes::give(vec![node], system, *span, draft);
+    }
 }
 
 /// Couples the nodes of a coupling with its reference node.
@@ -72,7 +90,7 @@ pub(super) fn couple(coupling: &Coupling, draft: &mut Draft) {
             fade(&mut nodes, (fading, master), draft);
             let older = coupling.of_element && draft.dialect == Dialect::Calculix;
             let mean = if older { Mean::Displacement } else { Mean::Motion };
-            distribute((master, mean), coupled(dofs, draft.dialect), &nodes, origin, draft);
+            distribute((master, mean), coupled(dofs), &nodes, origin, draft);
         }
         CouplingKind::Open => {
             let message = "*COUPLING does not say how: *KINEMATIC or *DISTRIBUTING must follow";
@@ -118,10 +136,9 @@ fn fade(nodes: &mut [(NodeIndex, f64)], (fading, master): (Fading, NodeIndex), d
     }
 }
 
-/// The dofs of the reference node that follow the mean: in Abaqus rotations alone can be left out,
-/// in CalculiX displacements alone.
-fn coupled(dofs: [bool; 6], dialect: Dialect) -> [bool; 6] {
-    std::array::from_fn(|k| dofs[k] || (k < 3) == (dialect == Dialect::Abaqus))
+/// The dofs of the reference node that follow the mean: rotations alone can be left out.
+fn coupled(dofs: [bool; 6]) -> [bool; 6] {
+    std::array::from_fn(|k| dofs[k] || k < 3)
 }
 
 /// Nodes that follow rigidly; along axes that are given, if these make a difference.

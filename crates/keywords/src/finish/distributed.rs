@@ -347,7 +347,7 @@ fn density(material: &str, nodes: &[NodeIndex], draft: &Draft) -> Option<f64> {
 fn section(index: usize, draft: &mut Draft) -> Option<(f64, String)> {
     let section = section_of(index, draft)?;
     let thickness = match &section.body {
-        Body::Solid { thickness } => thickness.unwrap_or(1.0),
+        Body::Solid { thickness, .. } => thickness.unwrap_or(1.0),
         Body::Beam { shape, .. } => shape.area(),
     };
     Some((thickness, section.material.clone()))

@@ -40,6 +40,8 @@ pub(super) fn links(draft: &mut Draft) {
     for coupling in others {
         couple(&coupling, draft);
     }
+    super::springs::cross(draft);
+    super::embedded::embed(draft);
     super::shape_mpc::shapes(draft);
     super::ties::ties(draft);
     equations::circles(draft);

@@ -1,6 +1,6 @@
 //! Surfaces that `*SECTION PRINT` names: their faces and the elements behind them.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 
 use slideline_diag::{Code, Diagnostic};
 use slideline_mech::pressure::Face;
@@ -8,6 +8,7 @@ use slideline_model::{
     ElementBlock, ElementIndex, NodeIndex, Section, SectionFace, SectionPrint, SectionShare,
 };
 
+use super::behind::behind;
 use super::faces::faces;
 use crate::draft::Draft;
 use crate::rule::Subject;
@@ -40,7 +41,7 @@ fn own(
     let found = draft.surface(surface)?;
     let solids = faces(&found, surface.span, draft);
     let mut print = print.clone();
-    let mut shares: BTreeMap<ElementIndex, Vec<NodeIndex>> = BTreeMap::new();
+    let mut elements: Vec<(ElementIndex, &[NodeIndex])> = Vec::new();
     for solid in &solids {
         let label = draft.elements[solid.element].label;
         let Some(&element) = places.get(&label) else { continue }; // its section is missing
@@ -53,17 +54,10 @@ fn own(
             return None;
         };
         print.faces.push(SectionFace { face, nodes: solid.nodes.clone() });
-        let share = shares.entry(element).or_default();
-        share.extend(solid.nodes.iter().copied());
+        elements.push((element, &solid.nodes));
     }
-    print.shares = shares
-        .into_iter()
-        .map(|(element, mut nodes)| {
-            nodes.sort_unstable();
-            nodes.dedup();
-            SectionShare { element, nodes }
-        })
-        .collect();
+    let shares = behind(&elements, &draft.model.blocks).into_iter();
+    print.shares = shares.map(|(element, nodes)| SectionShare { element, nodes }).collect();
     Some(print)
 }
 

@@ -1,8 +1,14 @@
 //! Springs with their laws become blocks.
+//!
+//! ```text
+//!   SPRING2 between dof a of node 1 and dof b of node 2:   1 a o/\/\/o a h,  u_h,a = u_2,b
+//! ```
+//! with a node h of its own that stands where node 2 does.
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
-    Dof, ElementBlock, ElementType, NodeIndex, SpringLaw, SpringSection, SpringWay, types,
+    Dof, ElementBlock, ElementType, LinearConstraint, Node, NodeIndex, SpringLaw, SpringSection,
+    SpringWay, types,
 };
 
 use super::sections::without;
@@ -50,7 +56,11 @@ fn block(
         return;
     }
     found.iter().for_each(|&index| owned[index] = true);
-    let Some(section) = section(spring, row, draft) else { return };
+    let Some((section, second)) = section(spring, row, draft) else { return };
+    let crossed = match section.way {
+        SpringWay::Dof(dof) => second.filter(|other| *other != dof).map(|other| (dof, other)),
+        _ => None,
+    };
     let has_length = matches!(section.way, SpringWay::Line { .. });
     let section = slideline_model::Section::Spring(section);
     let mut block = ElementBlock::new(row, &spring.set, section, spring.origin);
@@ -59,7 +69,10 @@ fn block(
         let labels = element.nodes().iter();
         let nodes: Option<Vec<NodeIndex>> =
             labels.map(|&label| draft.model.nodes.find(label)).collect();
-        let Some(nodes) = nodes else { continue };
+        let Some(mut nodes) = nodes else { continue };
+        if let (Some(dofs), [_, end]) = (crossed, &mut nodes[..]) {
+            *end = stand_in(*end, dofs, spring.origin, draft);
+        }
         if let [a, b] = *nodes
             && has_length
             && draft.has_no_length(&element, [a, b])
@@ -71,23 +84,55 @@ fn block(
     draft.model.blocks.push(block);
 }
 
-/// What its lines mean for elements of a row; `None` after an error.
-fn section(spring: &Spring, row: &ElementType, draft: &mut Draft) -> Option<SpringSection> {
+/// A node whose first dof follows the other dof of a node.
+fn stand_in(
+    node: NodeIndex,
+    (dof, other): (Dof, Dof),
+    origin: Span,
+    draft: &mut Draft,
+) -> NodeIndex {
+    let last = draft.model.nodes.iter().map(|node| node.label).max().unwrap_or(0);
+    let (label, position) = (last + 1, draft.model.nodes.position(node));
+    draft.cut_nodes.insert(label, draft.uncut(draft.model.nodes.label(node)));
+    let own = draft.model.nodes.insert(Node { label, position, origin });
+    let (dependent, terms) = ((own, dof), vec![(node, other, 1.0)]);
+    draft.crossed_springs.push(LinearConstraint { dependent, terms, constant: 0.0, origin });
+    own
+}
+
+/// Makes the nodes that stand in for others follow them.
+pub(super) fn cross(draft: &mut Draft) {
+    for own in std::mem::take(&mut draft.crossed_springs) {
+        super::equations::add(draft, own.dependent, own.terms, own.origin);
+    }
+}
+
+/// What its lines mean for elements of a row, and the dof of a second node; `None` after an error.
+fn section(
+    spring: &Spring,
+    row: &ElementType,
+    draft: &mut Draft,
+) -> Option<(SpringSection, Option<Dof>)> {
     let in_space = draft.is_spatial();
-    let (way, lines) = if *row == types::SPRINGA {
+    let (way, second, lines) = if *row == types::SPRINGA {
         // of two lines the first is to be blank
         let begin = usize::from(!spring.nonlinear && spring.lines.len() > 1);
-        (SpringWay::Line { in_space }, &spring.lines[begin..])
+        (SpringWay::Line { in_space }, None, &spring.lines[begin..])
     } else {
-        (SpringWay::Dof(dof(spring, row, draft)?), &spring.lines[1..])
+        let first = dof(spring, row, 0, draft)?;
+        let second = match *row == types::SPRING2 {
+            true => Some(dof(spring, row, 1, draft)?),
+            false => None,
+        };
+        (SpringWay::Dof(first), second, &spring.lines[1..])
     };
     let law =
         if spring.nonlinear { table(lines, spring, draft)? } else { linear(lines, spring, draft)? };
-    Some(SpringSection { law, way })
+    Some((SpringSection { law, way }, second))
 }
 
-/// The dof of the first line; of SPRING2 both must be the same.
-fn dof(spring: &Spring, row: &ElementType, draft: &mut Draft) -> Option<Dof> {
+/// The dof of a node, on the first line.
+fn dof(spring: &Spring, row: &ElementType, at: usize, draft: &mut Draft) -> Option<Dof> {
     let said = |message: String, help: &str, span: Span, draft: &mut Draft| {
         let error = Diagnostic::error(Code("SL0251"), message).at(span);
         draft.consequence(Subject::Sections, error.help(help));
@@ -97,20 +142,14 @@ fn dof(spring: &Spring, row: &ElementType, draft: &mut Draft) -> Option<Dof> {
         said(message, "the second line is the stiffness", spring.origin, draft);
         return None;
     };
-    let number = |at: usize| first.get(at).copied().unwrap_or_default();
+    let number = first.get(at).copied().unwrap_or_default();
     // a whole number from 1 to 6
     let known = |value: f64| Dof::ALL.into_iter().find(|dof| dof.number() as f64 == value);
-    let Some(dof) = known(number(0)) else {
-        let message = format!("{} is not a degree of freedom: 1 to 6", number(0));
+    let Some(dof) = known(number) else {
+        let message = format!("{number} is not a degree of freedom: 1 to 6");
         draft.log.error("SL0248", message, *span);
         return None;
     };
-    if *row == types::SPRING2 && known(number(1)) != Some(dof) {
-        let message =
-            format!("SPRING2 between dof {} and dof {} is not supported", number(0), number(1));
-        said(message, "give the same dof of both nodes", *span, draft);
-        return None;
-    }
     if !draft.is_spatial() && !dof.is_plane() {
         let message = format!("a plane model has no dof {}", dof.number());
         said(message, "the plane has the dofs 1, 2 and 6", spring.origin, draft);

@@ -3,8 +3,8 @@
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
-    Controls, Dof, Load, NodalTemperature, NodeIndex, Numbered, NumberedSet, OutputRequests,
-    Passage, Prescribed, Static, Step,
+    Controls, Dof, ElementBlock, Load, Material, NodalTemperature, NodeIndex, Numbered,
+    NumberedSet, OutputRequests, Passage, Prescribed, Section, Static, Step,
 };
 
 use super::amplitudes::amplitude;
@@ -67,9 +67,7 @@ pub(super) fn steps(draft: &mut Draft, doubted: bool) {
         output: OutputRequests { restart: draft.restart, ..OutputRequests::default() },
         ..Carried::default()
     };
-    for line in std::mem::take(&mut draft.initial) {
-        prescribe(&line, &mut carried.prescribed, draft);
-    }
+    supports_of_all(&mut carried, draft);
     draft.large = draft.steps.iter().any(|step| step.nlgeom);
     for step in std::mem::take(&mut draft.steps) {
         let before: f64 = draft.model.steps.iter().map(|step| step.procedure.period).sum();
@@ -83,6 +81,35 @@ pub(super) fn steps(draft: &mut Draft, doubted: bool) {
         settle(&mut carried, &finished, draft);
         draft.model.steps.push(finished);
     }
+}
+
+/// What is prescribed before the first step.
+fn supports_of_all(carried: &mut Carried, draft: &mut Draft) {
+    for line in draft.initial.clone() {
+        prescribe(&line, &mut carried.prescribed, draft);
+    }
+}
+
+/// A step with PERTURBATION is linear in all: complains about what is not.
+fn perturbs(step: &StepDraft, draft: &mut Draft) {
+    let Some(span) = step.perturbation else { return };
+    let remembers = |block: &ElementBlock| match &block.section {
+        Section::Solid(own) => {
+            own.material.states() > 0 || matches!(own.material, Material::RambergOsgood(_))
+        }
+        _ => false,
+    };
+    let what = match draft.model.blocks.iter().find(|block| remembers(block)) {
+        _ if !draft.model.contact_pairs.is_empty() => "contact",
+        Some(_) => "a material that yields, creeps or relaxes",
+        None => return,
+    };
+    let message = format!("PERTURBATION of a model with {what} is not supported");
+    let error = Diagnostic::error(Code("SL0221"), message).at(span);
+    draft.consequence(
+        Subject::Steps,
+        error.help("leave PERTURBATION out: the step is then solved in full"),
+    );
 }
 
 /// There must be a step, and it must be closed.
@@ -124,19 +151,29 @@ fn linear(step: &StepDraft, draft: &mut Draft) {
     draft.log.push(said);
 }
 
-fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
-    linear(&step, draft);
-    // what passes time has its loads at once unless it says otherwise, in both dialects
-    let passes = step.procedure.is_some_and(|own| own.passage == Passage::Passing);
-    let at_once = step.at_once.unwrap_or(passes);
-    if step.new_boundary {
+/// What a step prescribes beside what stands.
+fn supports(step: &StepDraft, carried: &mut Carried, draft: &mut Draft) {
+    let alone = step.perturbation.is_some() && !draft.model.steps.is_empty();
+    if step.new_boundary || alone {
         carried.prescribed = InForce::default();
     }
-    if step.new_loads {
-        carried.loads.remove(|_| true);
+    if alone && !step.new_boundary {
+        supports_of_all(carried, draft);
     }
     for line in &step.boundary {
         prescribe(line, &mut carried.prescribed, draft);
+    }
+}
+
+fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
+    linear(&step, draft);
+    perturbs(&step, draft);
+    // what passes time has its loads at once unless it says otherwise, in both dialects
+    let passes = step.procedure.is_some_and(|own| own.passage == Passage::Passing);
+    let at_once = step.at_once.unwrap_or(passes);
+    supports(&step, carried, draft);
+    if step.new_loads {
+        carried.loads.remove(|_| true);
     }
     carried.loads.take(loads(&step.loads, draft));
     let presence = carried.absent.change(&step, draft);

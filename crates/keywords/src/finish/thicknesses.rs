@@ -20,21 +20,15 @@ pub(super) fn of_nodes(draft: &mut Draft) {
     }
     for place in 0..draft.sections.len() {
         let section = draft.sections[place].clone();
-        let Body::Solid { thickness: given } = section.body else { continue };
+        let Body::Solid { by_nodes, .. } = section.body else { continue };
         let Some(found) = of_section(&section, &at, draft) else { continue };
-        match (found, given) {
-            (Ok((thickness, _)), None) => {
-                draft.sections[place].body = Body::Solid { thickness: Some(thickness) };
+        match found {
+            Ok((_, origin)) | Err(origin) if !by_nodes => without_effect(&section, origin, draft),
+            Ok((thickness, _)) => {
+                let thickness = Some(thickness);
+                draft.sections[place].body = Body::Solid { thickness, by_nodes };
             }
-            (Ok((thickness, origin)), Some(given)) if given != thickness => {
-                let message =
-                    format!("the nodes give a thickness of {thickness}, the section {given}");
-                let error = Diagnostic::error(Code("SL0242"), message).at(section.origin);
-                let error = error.label(origin, "of the nodes").help("leave one of them out");
-                draft.consequence(Subject::Sections, error);
-            }
-            (Ok(_), Some(_)) => {}
-            (Err(origin), _) => {
+            Err(origin) => {
                 let message =
                     "a thickness that changes over the elements of a section is not supported";
                 let error = Diagnostic::error(Code("SL0221"), message).at(origin);
@@ -44,6 +38,15 @@ pub(super) fn of_nodes(draft: &mut Draft) {
             }
         }
     }
+}
+
+/// A section takes the thickness of its nodes where it says so alone, as in CalculiX.
+fn without_effect(section: &Section, origin: Span, draft: &mut Draft) {
+    let message =
+        format!("the elements of {} do not take the thickness of their nodes", section.set);
+    let note = Diagnostic::note(Code("SL0257"), message).at(origin);
+    let note = note.label(section.origin, "its thickness, one where none is given, acts");
+    draft.log.push(note.help("they do with *SOLID SECTION, NODAL THICKNESS"));
 }
 
 /// The thickness of the nodes of the plane solids of a section; `Err`: a node that has another one

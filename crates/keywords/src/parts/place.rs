@@ -72,6 +72,7 @@ impl Draft {
         self.place_axes((own.transforms, own.orientations, own.distributions), by, motion);
         extend(&mut self.pre_tensions, own.pre_tensions, by);
         extend(&mut self.shape_mpcs, own.shape_mpcs, by);
+        extend(&mut self.embedments, own.embedments, by);
         extend(&mut self.initial, own.initial, by);
     }
 

@@ -1,7 +1,9 @@
 //! Numbers and names of a part become those of an instance.
 
 use crate::axes::{Distribution, Given, Orientation, Transform};
-use crate::constraints::{Coupling, Cut, Equation, Link, Points, PreTension, ShapeMpc, Tie};
+use crate::constraints::{
+    Coupling, Cut, Embedment, Equation, Link, Points, PreTension, ShapeMpc, Tie,
+};
 use crate::draft::{
     Boundary, Element, Gap, Interface, Normal, PointMass, Section, Shape, Spring, Surface,
 };
@@ -166,6 +168,14 @@ impl Place for PreTension {
             Cut::Element(label, span) => Cut::Element(by.label(label), span),
         };
         Self { cut, reference: self.reference.placed(by), ..self }
+    }
+}
+
+impl Place for Embedment {
+    fn placed(self, by: &Placement) -> Self {
+        let embedded =
+            self.embedded.into_iter().map(|(own, span)| (own.placed(by), span)).collect();
+        Self { hosts: self.hosts.placed(by), embedded, ..self }
     }
 }
 

@@ -134,13 +134,7 @@ pub(super) const GROUPS: &[Group] = &[
     (
         Unsupported,
         "use one node on both sides, or *MPC of type BEAM",
-        &[
-            "TIED CONTACT",
-            "EMBEDDED ELEMENT",
-            "FASTENER",
-            "FASTENER PROPERTY",
-            "SHELL TO SOLID COUPLING",
-        ],
+        &["TIED CONTACT", "FASTENER", "FASTENER PROPERTY", "SHELL TO SOLID COUPLING"],
     ),
     (Unsupported, "use *MPC of type BEAM for rigid links", &["NETWORKMPC"]),
     (

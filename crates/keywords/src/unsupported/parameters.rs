@@ -67,11 +67,7 @@ const GROUPS: &[Group] = &[
         "give one table of yield stress over plastic strain",
         &["RATE", "DEPENDENCIES", "PROPERTIES"],
     ),
-    (
-        "SOLID SECTION",
-        "make one element layer for each material",
-        &["COMPOSITE", "REF NODE", "NODAL THICKNESS"],
-    ),
+    ("SOLID SECTION", "make one element layer for each material", &["COMPOSITE", "REF NODE"]),
     (
         "SPRING",
         "give the spring along dofs of its nodes, or turn these by *TRANSFORM",

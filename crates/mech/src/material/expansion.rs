@@ -12,41 +12,44 @@
 //! sum. docs/theory.md eqs. (3.60) to (3.62).
 
 use super::answer::{Answer, Conditions};
-use super::tensor::Matrix;
+use super::tensor::{self, Matrix, Symmetric};
 
 /// Mean coefficients of expansion over temperature.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Expansion {
     /// Temperature from which they count [theta].
     pub zero: f64,
-    /// Temperature [theta] and coefficients along the axes 1, 2, 3 [1/theta], temperatures
-    /// ascending: straight between, constant outside.
-    pub table: Vec<(f64, [f64; 3])>,
+    /// Temperature [theta] and coefficients, a tensor about the axes of the material [1/theta],
+    /// temperatures ascending: straight between, constant outside.
+    pub table: Vec<(f64, Symmetric)>,
 }
 
 impl Expansion {
     /// A coefficient for all temperatures and directions.
     pub fn even(coefficient: f64) -> Self {
-        Self { zero: 0.0, table: vec![(0.0, [coefficient; 3])] }
+        Self { zero: 0.0, table: vec![(0.0, tensor::UNIT.map(|one| coefficient * one))] }
     }
 
     /// Whether all directions expand alike.
     pub fn is_even(&self) -> bool {
-        self.table.iter().all(|(_, [a, b, c])| a == b && b == c)
+        let sheared = |angles: &[f64]| angles.iter().any(|angle| *angle != 0.0);
+        self.table
+            .iter()
+            .all(|(_, row)| row[0] == row[1] && row[1] == row[2] && !sheared(&row[3..]))
     }
 
     /// Mean coefficients at a temperature.
-    fn coefficients(&self, temperature: f64) -> [f64; 3] {
+    fn coefficients(&self, temperature: f64) -> Symmetric {
         match between(&self.table, temperature) {
             Some((low, high, part)) => std::array::from_fn(|k| low[k] + part * (high[k] - low[k])),
-            None => [0.0; 3],
+            None => [0.0; 6],
         }
     }
 
-    /// Strains of a free body along the axes at a temperature, of one that had none at another:
+    /// Strains of a free body about the axes at a temperature, of one that had none at another:
     /// a(T)(T - T0) - a(TI)(TI - T0), written such that equal temperatures give zeros.
     /// docs/theory.md eq. (3.60).
-    pub fn strains(&self, temperature: f64, initial: f64) -> [f64; 3] {
+    pub fn strains(&self, temperature: f64, initial: f64) -> Symmetric {
         let (now, before) = (self.coefficients(temperature), self.coefficients(initial));
         std::array::from_fn(|k| {
             now[k] * (temperature - initial) + (now[k] - before[k]) * (initial - self.zero)
@@ -101,15 +104,23 @@ pub struct Expanding<L> {
 }
 
 impl<L> Expanding<L> {
-    /// Logarithms of the stretches of the free body.
-    fn logs(&self, under: &Conditions) -> [f64; 3] {
+    /// Logarithms of the principal stretches of the free body, and their directions.
+    fn logs(&self, under: &Conditions) -> ([f64; 3], Option<Matrix>) {
         let strains = self.expansion.strains(under.temperature, under.initial);
-        strains.map(|strain| self.growth.log(strain))
+        let [a, b, c, angles @ ..] = strains;
+        let (principal, directions) = match angles == [0.0; 3] {
+            true => ([a, b, c], None),
+            false => {
+                let (principal, directions) = tensor::eigen(&strains);
+                (principal, Some(directions))
+            }
+        };
+        (principal.map(|strain| self.growth.log(strain)), directions)
     }
 
     /// Its volume over that of the cold one.
     pub(super) fn volume(&self, under: &Conditions) -> f64 {
-        self.logs(under).iter().sum::<f64>().exp()
+        self.logs(under).0.iter().sum::<f64>().exp()
     }
 
     /// What the answer of the `law` to what the expansion leaves of a displacement gradient is on
@@ -123,14 +134,26 @@ impl<L> Expanding<L> {
         let mut left = *gradient;
         if !under.large {
             let strains = self.expansion.strains(under.temperature, under.initial);
-            (0..3).for_each(|k| left[k][k] -= strains[k]);
+            let free = tensor::full(&strains);
+            (0..3).for_each(|i| (0..3).for_each(|j| left[i][j] -= free[i][j]));
             return law(&left);
         }
-        for (j, log) in self.logs(under).iter().enumerate() {
-            // H_m = H / l + (1 / l - 1), free of cancellation
-            let back = (-log).exp_m1();
-            left.iter_mut().for_each(|row| row[j] += back * row[j]);
-            left[j][j] += back;
+        let (logs, directions) = self.logs(under);
+        // H_m = H B + B with B = 1/F_th - 1, free of cancellation
+        match directions {
+            None => {
+                for (j, log) in logs.iter().enumerate() {
+                    let back = (-log).exp_m1();
+                    left.iter_mut().for_each(|row| row[j] += back * row[j]);
+                    left[j][j] += back;
+                }
+            }
+            Some(directions) => {
+                let back = logs.map(|log| (-log).exp_m1());
+                let back = tensor::full(&tensor::of_principal(&back, &directions));
+                let moved = tensor::product(gradient, &back);
+                (0..3).for_each(|i| (0..3).for_each(|j| left[i][j] += moved[i][j] + back[i][j]));
+            }
         }
         let answer = law(&left);
         let volume = self.volume(under);
@@ -139,6 +162,43 @@ impl<L> Expanding<L> {
             moduli: answer.moduli.map(|row| row.map(|entry| volume * entry)),
             energy: volume * answer.energy,
             dissipation: volume * answer.dissipation,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Clock, Elastic, LargeStrain, Material};
+    use super::*;
+
+    /// Stress of a body that expands so, at a displacement gradient.
+    fn stress(row: Symmetric, growth: Growth, h: &Matrix, large: bool) -> Symmetric {
+        let elastic = Elastic { modulus: 7.0, poisson: 0.3 };
+        let law = Material::Elastic(elastic, LargeStrain::Logarithmic);
+        let expansion = Expansion { zero: 0.0, table: vec![(0.0, row)] };
+        let hot = Material::Expanding(Box::new(Expanding { expansion, growth, law }));
+        let under = Conditions { large, temperature: 90.0, initial: 10.0, clock: Clock::default() };
+        hot.respond(h, &under, &[], &mut []).stress
+    }
+
+    /// Requirement: six coefficients are those of three axes, looked at from others. Source:
+    /// tensors turn. Tolerance: rounding.
+    #[test]
+    fn sheared_coefficients_are_those_of_turned_axes() {
+        let turn = [[0.36, 0.48, -0.8], [-0.8, 0.6, 0.0], [0.48, 0.64, 0.6]];
+        let along: Symmetric = [1e-3, 3e-3, -5e-4, 0.0, 0.0, 0.0];
+        let sheared = tensor::carried(&turn, &along);
+        let h = [[0.05, 0.02, -0.01], [0.03, -0.04, 0.01], [0.0, 0.02, 0.06]];
+        let back: Matrix = std::array::from_fn(|i| std::array::from_fn(|j| turn[j][i]));
+        let turned = tensor::product(&tensor::product(&turn, &h), &back);
+        for growth in [Growth::Logarithmic, Growth::Green, Growth::Length] {
+            for large in [false, true] {
+                let expected = tensor::carried(&turn, &stress(along, growth, &h, large));
+                let found = stress(sheared, growth, &turned, large);
+                for (found, expected) in found.iter().zip(expected) {
+                    assert!((found - expected).abs() < 1e-14, "{growth:?} {found} {expected}");
+                }
+            }
         }
     }
 }

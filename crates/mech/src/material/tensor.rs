@@ -218,6 +218,11 @@ pub fn eigen(a: &Symmetric) -> ([f64; 3], Matrix) {
     (values, [first, second, w])
 }
 
+/// The tensor of such values along unit vectors that stand as rows.
+pub fn of_principal(values: &[f64; 3], directions: &Matrix) -> Symmetric {
+    from_fn(|i, j| (0..3).map(|k| values[k] * directions[k][i] * directions[k][j]).sum())
+}
+
 /// Cosine and sine of the turn that makes [[uu, uv], [uv, vv]] diagonal, and tan * uv.
 fn turn(uu: f64, uv: f64, vv: f64) -> (f64, f64, f64) {
     if uv == 0.0 {

@@ -74,7 +74,10 @@ fn all() -> Vec<(&'static str, Material)> {
 
 /// Materials that expand, or with constants over temperature.
 fn heated() -> Vec<(&'static str, Material)> {
-    let table = vec![(0.0, [1e-3, 2e-3, 0.0]), (100.0, [2e-3, 1e-3, 3e-3])];
+    let table = vec![
+        (0.0, [1e-3, 2e-3, 0.0, 5e-4, 0.0, -2e-4]),
+        (100.0, [2e-3, 1e-3, 3e-3, 0.0, 3e-4, 1e-4]),
+    ];
     let expanding = |(name, law): (&'static str, Material)| {
         let expansion = Expansion { zero: 5.0, table: table.clone() };
         let growth = match &law {

@@ -21,12 +21,21 @@ const COLD: Elastic = Elastic { modulus: 200.0, poisson: 0.3 };
 const HOT: Elastic = Elastic { modulus: 120.0, poisson: 0.35 };
 
 fn expansion() -> Expansion {
-    let table = vec![(0.0, [1e-3, 2e-3, 5e-4]), (100.0, [2e-3, 1e-3, 1e-3])];
+    let table = vec![
+        (0.0, [1e-3, 2e-3, 5e-4, 3e-4, 1e-4, -2e-4]),
+        (100.0, [2e-3, 1e-3, 1e-3, -1e-4, 0.0, 2e-4]),
+    ];
     Expansion { zero: 10.0, table }
 }
 
 fn even() -> Expansion {
-    Expansion { zero: 10.0, table: vec![(0.0, [1e-3; 3]), (100.0, [2e-3; 3])] }
+    Expansion {
+        zero: 10.0,
+        table: vec![
+            (0.0, [1e-3, 1e-3, 1e-3, 0.0, 0.0, 0.0]),
+            (100.0, [2e-3, 2e-3, 2e-3, 0.0, 0.0, 0.0]),
+        ],
+    }
 }
 
 fn graded(large: LargeStrain) -> Material {

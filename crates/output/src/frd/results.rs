@@ -3,7 +3,7 @@
 use crate::number::push_exponent;
 use crate::outline::{Drawing, SPACE};
 use crate::section::nodal_sections;
-use slideline_model::{Dialect, ElementVariable, NodeIndex};
+use slideline_model::{Dialect, Dof, ElementVariable, NodeIndex};
 use slideline_results::element::{AtNodes, nodal_results};
 use slideline_results::{NodeField, contact_component};
 use slideline_solve::observe::{ContactRow, Frame};
@@ -33,8 +33,8 @@ pub(super) struct Results<'a> {
 impl Results<'_> {
     /// DISP and FORC of every node, and NDTEMP where the deck speaks of temperatures.
     pub fn push_motion(&mut self, drawing: &Drawing) {
-        let [_, motion] = drawing.moved(self.frame);
-        let forces = match self.frame.model.dialect {
+        let [_, mut motion] = drawing.moved(self.frame);
+        let mut forces: Vec<f64> = match self.frame.model.dialect {
             // there RF is what supports and loads do together
             Dialect::Calculix => {
                 let own = |node| SPACE.map(|dof| self.frame.nodal.carried(node, dof));
@@ -42,6 +42,16 @@ impl Results<'_> {
             }
             Dialect::Abaqus => NodeField::Reaction.table(self.frame, &SPACE),
         };
+        if self.along_own_axes() {
+            let named =
+                drawing.values(self.named(|node, dof| self.frame.nodal.named(node, dof)[0]));
+            let of_nodes = motion.len() - 3 * drawing.outline_points();
+            motion[..of_nodes].copy_from_slice(&named[..of_nodes]);
+            forces = self.named(|node, dof| match self.frame.model.dialect {
+                Dialect::Calculix => self.frame.nodal.carried_as_named(node, dof),
+                Dialect::Abaqus => self.frame.nodal.named(node, dof)[1],
+            });
+        }
         let forces = drawing.values(forces);
         let rows = |values: &[f64]| {
             drawing.labels.iter().copied().zip(values.as_chunks().0.iter().copied()).collect()
@@ -53,6 +63,20 @@ impl Results<'_> {
             let of = |node| (nodes.label(node), [self.frame.nodal.temperature(node)]);
             self.push("NDTEMP", Shape::Scalars, &["T"], (0..nodes.len()).map(of).collect());
         }
+    }
+
+    /// Whether the step asks for vectors along the axes of the nodes: `GLOBAL=NO`.
+    fn along_own_axes(&self) -> bool {
+        let step = self.frame.model.steps.get(self.frame.step.wrapping_sub(1));
+        let mut prints = step.into_iter().flat_map(|step| &step.output.node_prints);
+        let asked = prints.any(|print| print.request.target.is_file() && print.own_axes);
+        asked && self.frame.model.has_own_axes()
+    }
+
+    /// Values of every node along the axes in which its dofs are named.
+    fn named(&self, value: impl Fn(NodeIndex, Dof) -> f64) -> Vec<f64> {
+        let own = |node| SPACE.map(|dof| value(node, dof));
+        (0..self.frame.model.nodes.len()).flat_map(own).collect()
     }
 
     /// Stresses at the nodes of solids and beams, section forces of beams.

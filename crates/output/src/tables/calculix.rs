@@ -27,7 +27,7 @@ const TURNS: [Dof; 3] = [Dof::UR1, Dof::UR2, Dof::UR3];
 
 /// Whether CalculiX prints that at nodes.
 pub(super) fn has(variable: NodeVariable) -> bool {
-    matches!(variable, NodeVariable::U | NodeVariable::RF)
+    matches!(variable, NodeVariable::U | NodeVariable::RF | NodeVariable::NT)
 }
 
 /// Whether CalculiX prints that of solids.
@@ -57,6 +57,10 @@ pub(super) fn push_numbers(text: &mut String, values: impl IntoIterator<Item = f
 /// Displacements and forces of a request, with rotations and moments where the model has them.
 pub(super) fn push_nodes(text: &mut String, frame: &Frame<'_>, print: &NodePrint) {
     for &variable in print.variables.iter().filter(|variable| has(**variable)) {
+        if variable == NodeVariable::NT {
+            push_temperatures(text, frame, print);
+            continue;
+        }
         let forces = variable == NodeVariable::RF;
         let titles = match forces {
             false => ["displacements (vx,vy,vz) ", "rotations (rx,ry,rz) "],
@@ -92,6 +96,14 @@ pub(super) fn push_nodes(text: &mut String, frame: &Frame<'_>, print: &NodePrint
                 push_numbers(text, sum);
             }
         }
+    }
+}
+
+fn push_temperatures(text: &mut String, frame: &Frame<'_>, print: &NodePrint) {
+    push_title(text, "temperatures ", &print.request, frame);
+    for &node in &print.nodes {
+        let _ = write!(text, "{:>10}", frame.model.nodes.label(node)); // a String takes any text
+        push_numbers(text, [frame.nodal.temperature(node)]);
     }
 }
 

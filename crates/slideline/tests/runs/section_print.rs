@@ -138,3 +138,61 @@ fn surfaces_that_nothing_passes_through() {
     assert!(said(&deck.replace("NAME=LOWER", "NAME=LOWER, AXES=LOCAL")).contains("SL0252"));
     assert!(!said(&deck).contains("SL0257"), "{}", said(&deck));
 }
+
+/// Bricks 2 x 2 x 4 of half a unit, each of six tetrahedra about its diagonal: nodes, elements, and the
+/// faces on the plane of the middle from below and from above.
+fn tetrahedra() -> (String, String, [Vec<String>; 2]) {
+    let label = |[i, j, k]: [usize; 3]| 9 * k + 3 * j + i + 1;
+    let corners =
+        [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]];
+    let (mut nodes, mut elements) = (String::new(), String::new());
+    let mut sides = [Vec::new(), Vec::new()];
+    for place in (0..45).map(|n| [n % 3, n / 3 % 3, n / 9]) {
+        let [x, y, z] = place.map(|k| 0.5 * k as f64);
+        nodes += &format!("{}, {x:?}, {y:?}, {z:?}\n", label(place));
+    }
+    let middle = 19..=27;
+    for brick in (0..16).map(|n| [n % 2, n / 2 % 2, n / 4]) {
+        let corner = |c: usize| label(std::array::from_fn(|k| brick[k] + corners[c][k]));
+        for [a, b] in [[1, 2], [2, 3], [3, 7], [7, 4], [4, 5], [5, 1]] {
+            let own = [0, a, b, 6].map(corner);
+            let element = elements.lines().count() + 1;
+            elements += &format!("{element}, {}, {}, {}, {}\n", own[0], own[1], own[2], own[3]);
+            for (face, of) in [[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]].iter().enumerate() {
+                if of.iter().all(|&n| middle.contains(&own[n])) {
+                    sides[brick[2] - 1].push(format!("{element}, S{}\n", face + 1));
+                }
+            }
+        }
+    }
+    (nodes, elements, sides)
+}
+
+/// Requirement: elements that touch a cut at an edge or a corner alone carry their part of what passes:
+/// tetrahedra hand over all that is loaded beyond. Faces named from both sides take from one another
+/// what they give, and have no normal. Equilibrium, 1e-6.
+#[test]
+fn tetrahedra_hand_over_all_that_passes() {
+    let (nodes, elements, [below_it, above_it]) = tetrahedra();
+    let deck = format!(
+        "*NODE\n{nodes}*ELEMENT, TYPE=C3D4, ELSET=E\n{elements}*NSET, NSET=FOOT, GENERATE\n1, 9\n\
+         *NSET, NSET=HEAD, GENERATE\n37, 45\n*SURFACE, NAME=CUT\n{}*SURFACE, NAME=BOTH\n{}{}\
+         *SOLID SECTION, ELSET=E, MATERIAL=M\n*MATERIAL, NAME=M\n*ELASTIC\n1000., 0.3\n*STEP\n*STATIC\n\
+         *BOUNDARY\nFOOT, 1, 3\n*CLOAD\nHEAD, 1, 4.\nHEAD, 3, 8.\n*SECTION PRINT, SURFACE=CUT\n\
+         SOF, SOM, SOAREA\n*SECTION PRINT, SURFACE=BOTH\nSOF\n*END STEP\n",
+        below_it.concat(),
+        below_it.concat(),
+        above_it.concat(),
+    );
+    let text = tables("tetrahedra", &deck, Dialect::Abaqus);
+    let size = (36.0_f64 * 36.0 + 72.0 * 72.0).sqrt();
+    // moments about the origin of forces at (0.5, 0.5, 2) on the mean
+    let moment = [36.0, 0.5 * -72.0 + 2.0 * 36.0, -18.0];
+    let whole = moment.iter().map(|m| m * m).sum::<f64>().sqrt();
+    let wanted = [size, 36.0, 0.0, 72.0, whole, moment[0], moment[1], moment[2], 1.0];
+    is(&row(&text, "CUT"), &wanted, 1e-6);
+    is(&row(&text, "BOTH"), &[0.0; 4], 1e-6);
+    let text = tables("tetrahedra-ccx", &deck, Dialect::Calculix);
+    let both = text.rsplit("statistics for surface set BOTH").next().unwrap();
+    is(&below(both, "mean normal", 2)[3..], &[0.0; 3], 1e-12);
+}

@@ -192,6 +192,43 @@ fn tables_of_calculix() {
     }
 }
 
+/// Requirement: GLOBAL=NO puts vectors of nodes with axes of their own along these into `.frd`, and
+/// temperatures have the table of ccx 2.20. Axis 1 is along y, axis 2 against x. The digits printed.
+#[test]
+fn vectors_along_axes_of_nodes() {
+    let deck = |global: &str| {
+        format!(
+            "*NODE\n1, 0., 0., 0.\n2, 1., 0., 0.\n3, 1., 1., 0.\n4, 0., 1., 0.\n5, 0., 0., 1.\n\
+             6, 1., 0., 1.\n7, 1., 1., 1.\n8, 0., 1., 1.\n*ELEMENT, TYPE=C3D8, ELSET=E\n\
+             1, 1, 2, 3, 4, 5, 6, 7, 8\n*NSET, NSET=T\n7, 8\n*TRANSFORM, NSET=T\n\
+             0., 1., 0., -1., 0., 0.\n*SOLID SECTION, ELSET=E, MATERIAL=M\n*MATERIAL, NAME=M\n\
+             *ELASTIC\n100., .3\n*EXPANSION\n1e-3\n*BOUNDARY\n1, 1, 3\n2, 1, 3\n3, 1, 3\n4, 1, 3\n\
+             *STEP\n*STATIC\n1., 1.\n*TEMPERATURE\n7, 20.\n*BOUNDARY\n7, 2, 2, 0.1\n\
+             *NODE FILE{global}\nU, RF\n*NODE PRINT, NSET=T\nNT\n*END STEP\n"
+        )
+    };
+    let rows = |global: &str, name: &str| -> Vec<[f64; 3]> {
+        let text = run(&format!("axes{}", global.len()), &deck(global), Dialect::Calculix)(".frd");
+        let own = text.rsplit(&format!(" -4  {name}")).next().unwrap().to_owned();
+        let lines = own.lines().filter(|line| line.starts_with(" -1")).take(8);
+        let part = |line: &str, k: usize| line[13 + 12 * k..25 + 12 * k].trim().parse().unwrap();
+        lines.map(|line| [0, 1, 2].map(|k| part(line, k))).collect()
+    };
+    for name in ["DISP", "FORC"] {
+        let (plain, own) = (rows(", GLOBAL=YES", name), rows(", GLOBAL=NO", name));
+        assert_eq!(plain, rows("", name));
+        assert_eq!(own[..6], plain[..6]);
+        for (own, [x, y, z]) in own[6..].iter().zip(&plain[6..]) {
+            let expected = [*y, -x, *z];
+            let size = x.abs().max(y.abs()).max(z.abs());
+            assert!((0..3).all(|k| (own[k] - expected[k]).abs() <= 1e-4 * size), "{own:?} {name}");
+        }
+    }
+    let text = run("axes-tables", &deck(""), Dialect::Calculix)(".dat");
+    let title = " temperatures for set T and time  0.1000000E+01\n\n         7  2.000000E+01\n";
+    assert!(text.contains(title), "{text}");
+}
+
 /// Requirement: RF of CalculiX at a loaded node is its load, and what supports and loads do together
 /// at a node with both. Source: ccx 2.20 (docs/keywords/NODE-PRINT.md); here reaction and load are
 /// equal and opposite over the cube.

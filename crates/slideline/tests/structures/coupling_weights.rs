@@ -107,6 +107,24 @@ fn forces_are_spread_by_areas() {
     compare(&found, &[10.0; 6], "nodes");
 }
 
+/// Requirement: displacements are coupled whatever the data lines say, and a force on the reference
+/// node is along the axes of the coupling in the dialect of CalculiX, along those of the model in that
+/// of Abaqus. Source: ccx 2.20, Abaqus manual. Axis 3 points down. 1e-6.
+#[test]
+fn axes_of_a_coupling_turn_forces_on_its_reference_node() {
+    let axes = "*ORIENTATION, NAME=DOWN\n1., 0., 0., 0., -1., 0.\n";
+    let up = [3.75, 15.0, 11.25, 3.75, 15.0, 11.25];
+    for (dialect, sign) in [(Dialect::Abaqus, 1.0), (Dialect::Calculix, -1.0)] {
+        for dofs in ["", "\n1, 2", "\n3, 3"] {
+            let plain = coupling("", dofs);
+            compare(&shares(BRICKS, &ON_BRICKS, &plain, [2.0, 1.0], dialect), &up, dofs);
+            let along = format!("{axes}{}", coupling(", ORIENTATION=DOWN", dofs));
+            let found = shares(BRICKS, &ON_BRICKS, &along, [2.0, 1.0], dialect);
+            compare(&found, &up.map(|share| sign * share), dofs);
+        }
+    }
+}
+
 /// Requirement: weights that fall with the distance from the reference node fall as the factors
 /// 1 - r, 1 - r^2 and 1 - 3 r^2 + 2 r^3 of the largest distance say, and INFLUENCE RADIUS leaves out
 /// what is beyond. A square of nodes about a nearer pair: by symmetry no moment.

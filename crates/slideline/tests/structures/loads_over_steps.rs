@@ -392,3 +392,41 @@ fn ramps_go_on_after_a_restart() {
         assert_eq!((&a.motion, &a.load, a.time), (&b.motion, &b.load, b.time));
     }
 }
+
+/// Requirement: linear steps with PERTURBATION answer to their own loads and motions, whatever those
+/// before did, under the supports before the first step. Source: Abaqus manual, linear perturbation;
+/// each step against a deck that has it alone. 1e-9.
+#[test]
+fn perturbations_answer_to_their_own_loads() {
+    let cards = [
+        "*CLOAD\n9, 1, 2.\n",
+        "*DLOAD\nB, GRAV, 3., 0., -1., 0.\n",
+        "*BOUNDARY\n9, 1, 1, 0.02\n6, 2, 2, -0.01\n",
+        "*DSLOAD\nRIGHT, P, 4.\n",
+        "*CLOAD\n9, 2, 1.\n",
+    ];
+    let linear = ", NLGEOM=NO, PERTURBATION";
+    let history: String = cards.map(|card| step(1.0, linear, card)).concat();
+    let rows = run(&history, Dialect::Abaqus);
+    let ends = rows.iter().filter(|row| row.time == 1.0);
+    let alone = cards.map(|card| unit(card, Dialect::Abaqus));
+    let faults = ends.zip(&alone).zip(cards);
+    let faults: Vec<String> =
+        faults.filter_map(|((row, own), card)| fault(row, &[(1.0, own)], card)).collect();
+    none(&faults);
+    assert_eq!(rows.last().map(|row| row.step), Some(5));
+}
+
+/// Requirement: in the dialect of CalculiX P with the number of a face loads surfaces as P, and elements
+/// as `*DLOAD` does. Source: ccx 2.20. 1e-9.
+#[test]
+fn numbered_pressures_of_calculix() {
+    let dialect = Dialect::Calculix;
+    let plain = unit("*DSLOAD\nRIGHT, P, 4.\n", dialect);
+    let cards = ["RIGHT, P2, 4.", "R, P2, 4.", "2, P2, 4.\n4, P2, 4."];
+    let faults = cards.map(|lines| {
+        let row = unit(&format!("*DSLOAD\n{lines}\n"), dialect);
+        fault(&row, &[(1.0, &plain)], lines)
+    });
+    none(&faults.into_iter().flatten().collect::<Vec<_>>());
+}

@@ -8,6 +8,8 @@ mod beam_stresses;
 mod coupling_weights;
 mod couplings;
 mod creep_and_relaxation;
+mod crossed_springs;
+mod embedded;
 mod exactly;
 mod fibres;
 mod free_blocks;

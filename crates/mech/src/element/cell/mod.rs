@@ -19,11 +19,13 @@ mod reference;
 mod simplex;
 mod volumes;
 mod wedge;
+mod within;
 
 pub use areas::{QUAD4, QUAD8, TRI3, TRI6};
 pub use line::{LINE2, LINE3, POINT, line3_shapes, line3_slopes};
 pub use reference::{Cell, Piece};
 pub use volumes::{HEX8, HEX20, TET4, TET10, WEDGE6, WEDGE15};
+pub use within::{Within, within};
 
 #[cfg(test)]
 mod tests;
