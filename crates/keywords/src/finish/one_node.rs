@@ -134,7 +134,8 @@ fn taken(
     taken
 }
 
-/// Whether two nodes are at one place, as faces about the first are large.
+/// Whether two nodes are at one place, as faces about the first are large. A face that has none but these two
+/// tells nothing: its own ends are not at one place.
 pub(super) fn is_at(node: NodeIndex, other: NodeIndex, face: &[NodeIndex], draft: &Draft) -> bool {
     let place = |node| draft.model.nodes.position(node);
     let apart = |a: NodeIndex, b: NodeIndex| {
@@ -143,7 +144,7 @@ pub(super) fn is_at(node: NodeIndex, other: NodeIndex, face: &[NodeIndex], draft
     };
     let others = face.iter().filter(|&&own| own != node && own != other);
     let size = others.map(|&own| apart(node, own)).fold(f64::INFINITY, f64::min);
-    apart(node, other) <= APART * size
+    size.is_finite() && apart(node, other) <= APART * size
 }
 
 /// Puts nodes in the place of others.

@@ -53,6 +53,8 @@ pub(crate) struct Point {
 const STATUS: [(&str, char); 3] = [("open", 'o'), ("stick", 't'), ("slip", 's')];
 const FRICTION: [(&str, char); 3] = [("called", 'c'), ("dropped", 'd'), ("none", 'n')];
 const NUMBERS: [&str; 4] = ["COPEN", "CPRESS", "CSHEAR1", "CSLIP1"];
+/// Gap, pressure, shear traction, slip and angle of a point that faces nothing.
+const NOTHING: [f32; 5] = [f32::INFINITY, 0.0, 0.0, 0.0, 0.0];
 
 /// Where the columns stand.
 struct Columns {
@@ -155,6 +157,7 @@ impl Contacts {
                 self.points.len() - 1
             }
         };
+        self.fill(place, now);
         let has_numbers = self.has_numbers(now);
         let point = &mut self.points[place];
         point.status.push(row.status);
@@ -166,6 +169,21 @@ impl Contacts {
         }
         self.limit();
         Ok(())
+    }
+
+    /// A pair that was removed and is back has no rows of the time between: its points were open, and faced
+    /// nothing.
+    fn fill(&mut self, place: usize, now: usize) {
+        let point = &self.points[place];
+        for absent in point.first + point.status.len()..now {
+            let has_numbers = self.has_numbers(absent);
+            let point = &mut self.points[place];
+            point.status.push('o');
+            point.friction.push('n');
+            if has_numbers {
+                point.values.iter_mut().zip(NOTHING).for_each(|(own, value)| own.push(value));
+            }
+        }
     }
 
     /// Those of a run that goes on: numbers are kept at every increment until it is [`over`](Self::over).
@@ -308,6 +326,24 @@ mod tests {
         let contacts = read(&path, &numbers).unwrap();
         std::fs::remove_file(&path).unwrap();
         contacts
+    }
+
+    /// Requirement: a pair that is removed and comes back is open in the report for as long as it is away, and
+    /// what it does then stands at its own increments.
+    #[test]
+    fn a_pair_that_comes_back_was_open() {
+        let path = std::env::temp_dir().join(format!("slideline_back_{}.csv", std::process::id()));
+        let rows: String = [1, 2, 5].map(|own| format!("1,{own},0,P,7,slip,0,{own}\n")).concat();
+        let head = "step,increment,time,pair,node,status,COPEN,CPRESS\n";
+        std::fs::write(&path, format!("{head}{rows}")).unwrap();
+        let contacts = read(&path, &[1, 2, 3, 4, 5].map(|own| [1, own])).unwrap();
+        std::fs::remove_file(&path).unwrap();
+        let point = &contacts.points[0];
+        assert_eq!(runs(&point.status), "s2o2s1");
+        assert_eq!(
+            (runs(&point.friction).as_str(), &point.values[1][..]),
+            ("n5", &[1., 2., 0., 0., 5.][..])
+        );
     }
 
     /// Requirement: numbers are thinned where there are many, evenly, the last

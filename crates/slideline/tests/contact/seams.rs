@@ -12,6 +12,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
 use crate::space_decks::turn;
+use crate::two_blocks::{mesh, solved as pressed};
 use slideline::observe::Ending;
 use slideline::{Event, Job, Observer, ReadOptions, SolveOptions, Stop};
 use std::fmt::Write as _;
@@ -231,6 +232,26 @@ fn a_seam_is_no_edge() {
                 }
             }
         }
+    }
+}
+
+/// Requirement: the two ends of a face that follow one another stay two nodes of it, as slave and as master:
+/// blocks with E = 1000 and nu = 0, pressed by d, carry N = E A d/2 all the same. The face was taken for one node,
+/// and carried nothing or fell away. Tolerance: rounding.
+#[test]
+fn ends_of_a_face_that_move_alike_are_two_nodes() {
+    let kinds = ["NODE", "SURFACE"];
+    for (tied, kind) in ["12, 11", "4, 3"].into_iter().flat_map(|own| kinds.map(|kind| (own, kind)))
+    {
+        let deck = format!(
+            "{}*MPC\nTIE, {tied}\n*SURFACE INTERACTION, NAME=I\n*CONTACT PAIR, INTERACTION=I, TYPE={kind} TO \
+             SURFACE\nUPPER, LOWER\n*STEP\n*STATIC\n1., 1.\n*BOUNDARY\nLOW, 1, 2\nHIGH, 1, 2\nHIGH, 2, 2, \
+             -0.01\n*END STEP\n",
+            mesh(false, 0.0)
+        );
+        let curve = pressed(&deck);
+        assert_eq!(curve.contact.len(), 2, "{tied} {kind}");
+        assert!((curve.force[0][1] - 5.0).abs() < 1e-9, "{tied} {kind} {:?}", curve.force);
     }
 }
 
