@@ -174,6 +174,10 @@ fn join(deck: &mut String, sides: [String; 2], block: usize, joint: Joint, case:
 
 /// The upper block is pressed on the lower one, drawn along it and back.
 fn solved(case: Case, joint: Joint) -> Forces {
+    run(&deck(case, joint))
+}
+
+fn deck(case: Case, joint: Joint) -> String {
     let mut deck = String::from("*HEADING\nseams\n");
     for block in 0..2 {
         let is_cut = (block == 0) == case.cut_low;
@@ -202,11 +206,15 @@ fn solved(case: Case, joint: Joint) -> Forces {
              *END STEP\n"
         );
     }
-    let read = Job::read_text("seams", &deck, &ReadOptions::default());
-    let model = read.model.unwrap_or_else(|| panic!("{case:?} {joint:?} {:#?}", read.diagnostics));
+    deck
+}
+
+fn run(deck: &str) -> Forces {
+    let read = Job::read_text("seams", deck, &ReadOptions::default());
+    let model = read.model.unwrap_or_else(|| panic!("{:#?}\n{deck}", read.diagnostics));
     let mut forces = Forces::default();
     let ending = slideline::solve(&model, &SolveOptions::default(), &mut forces);
-    assert!(matches!(ending, Ending::Completed(_)), "{case:?} {joint:?} {ending:?}\n{deck}");
+    assert!(matches!(ending, Ending::Completed(_)), "{ending:?}\n{deck}");
     forces
 }
 
@@ -231,6 +239,25 @@ fn a_seam_is_no_edge() {
                     assert!((a - b).abs() < 1e-7 * most, "{case:?} {joint:?} {a} {b}");
                 }
             }
+        }
+    }
+}
+
+/// Requirement: halves that are tied and held by one rigid body across their seam move with it as the whole
+/// does; such decks were refused (SL0316). Tolerance: what iterations leave.
+#[test]
+fn a_rigid_body_may_hold_both_sides_of_a_tie() {
+    for (joint, over_faces) in [Joint::Tie, Joint::TieOfNodes].into_iter().zip([false, true]) {
+        let case = Case { in_space: false, over_faces, cut_low: false, law: "" };
+        let whole = solved(case, Joint::Merged).all;
+        let body = "*NODE, NSET=REF\n9999, 0.3, 2.0\n*RIGID BODY, REF NODE=9999, TIE NSET=HELD1\n*MATERIAL";
+        let held = deck(case, joint).replacen("*MATERIAL", body, 1);
+        let held = held.replace("HELD1, 1, 2\n", "REF, 6, 6\n").replace("HELD1, ", "REF, ");
+        let own = run(&held).all;
+        let most = whole.iter().flatten().fold(0.0_f64, |most, f| most.max(f.abs()));
+        assert_eq!(own.len(), whole.len(), "{joint:?}");
+        for (a, b) in own.iter().flatten().zip(whole.iter().flatten()) {
+            assert!((a - b).abs() < 1e-7 * most, "{joint:?} {a} {b}");
         }
     }
 }
