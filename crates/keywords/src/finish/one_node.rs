@@ -12,6 +12,7 @@ use slideline_model::{
     Adjust, ContactPair, Dof, Formulation, LinearConstraint, Master, NodeIndex, Offset,
 };
 
+use crate::changes::{Changed, ModelChange};
 use crate::draft::Draft;
 use crate::rule::Subject;
 
@@ -37,23 +38,27 @@ pub(super) fn in_contact(draft: &mut Draft) {
         }
     }
     // where elements come and go one of both nodes may be left without any
-    if leaders.is_empty() || draft.steps.iter().any(|step| !step.changes.is_empty()) {
+    let of_elements = |own: &ModelChange| matches!(own.of, Changed::Elements(_));
+    if leaders.is_empty() || draft.steps.iter().any(|step| step.changes.iter().any(of_elements)) {
         return;
     }
+    let mut seams = Vec::new();
     let mut pairs = std::mem::take(&mut draft.model.contact_pairs);
     for pair in pairs.iter_mut().filter(|pair| is_of_nodes(pair)) {
         let own = taken(pair, &leaders, draft);
         replace(pair, &own);
+        seams.extend(own.into_iter().map(|(node, leader)| [node, leader]));
     }
+    seams.sort_unstable();
+    seams.dedup();
+    draft.model.seams = seams;
     draft.model.contact_pairs = pairs;
 }
 
-/// Whether the pair asks for places of nodes and nothing else, leaves them there, and its sides are two.
+/// Whether the pair asks for places of nodes and nothing else, and its sides are two.
 fn is_of_nodes(pair: &ContactPair) -> bool {
     let turns = pair.formulation == Formulation::SurfaceToSurface || pair.offset != Offset::NONE;
-    // who follows stays where it is, and would have to be moved as its leader is
-    let moves = pair.adjust != Adjust::Nothing;
-    !turns && !moves && !pair.meets_itself()
+    !turns && !pair.meets_itself()
 }
 
 /// Nodes that follow another one in all displacements, and the last one of those.
@@ -157,6 +162,9 @@ fn replace(pair: &mut ContactPair, by: &HashMap<NodeIndex, NodeIndex>) {
     pair.elements.retain(|own| own.nodes[0] != own.nodes[1]);
     pair.faces.iter_mut().for_each(|face| face.nodes.iter_mut().for_each(put));
     pair.slaves.iter_mut().for_each(put);
+    if let Adjust::Nodes(own) = &mut pair.adjust {
+        own.iter_mut().for_each(put);
+    }
     pair.corners.iter_mut().for_each(put);
     match &mut pair.master {
         Master::Faces(own) => {

@@ -243,6 +243,29 @@ fn a_seam_is_no_edge() {
     }
 }
 
+/// Requirement: where the slaves are moved onto the master (`ADJUST`), the two nodes of a seam stay at one place,
+/// and forces are those of the merged mesh. Tolerance: what iterations leave.
+#[test]
+fn a_seam_is_moved_as_one() {
+    let law = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1e4\n";
+    for [in_space, over_faces] in [[false, false], [false, true], [true, false], [true, true]] {
+        let case = Case { in_space, over_faces, cut_low: false, law };
+        let adjusted = |joint| {
+            let text = deck(case, joint);
+            run(&text.replacen(" TO SURFACE\nS1", " TO SURFACE, ADJUST=0.1\nS1", 1)).all
+        };
+        let whole = adjusted(Joint::Merged);
+        let most = whole.iter().flatten().fold(0.0_f64, |most, f| most.max(f.abs()));
+        for joint in [Joint::Tie, Joint::Equation] {
+            let own = adjusted(joint);
+            assert_eq!(own.len(), whole.len(), "{case:?} {joint:?}");
+            for (a, b) in own.iter().flatten().zip(whole.iter().flatten()) {
+                assert!((a - b).abs() < 1e-7 * most, "{case:?} {joint:?} {a} {b}");
+            }
+        }
+    }
+}
+
 /// Requirement: halves that are tied and held by one rigid body across their seam move with it as the whole
 /// does; such decks were refused (SL0316). Tolerance: what iterations leave.
 #[test]
