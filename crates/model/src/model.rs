@@ -45,6 +45,8 @@ pub struct Model {
     pub linear_constraints: Vec<LinearConstraint>,
     /// Shapes that nodes keep in large motion.
     pub shapes: Vec<KeptShape>,
+    /// Nodes at one place that are one in contact: the first follows the second.
+    pub seams: Vec<[NodeIndex; 2]>,
     /// Contact pairs.
     pub contact_pairs: Vec<ContactPair>,
     /// Sharp edges of their surfaces ([`Model::find_edges`]).

@@ -24,7 +24,16 @@ pub fn adjust(model: &mut Model) -> Vec<Diagnostic> {
     let asked = |pair: &ContactPair| pair.adjust != Adjust::Nothing;
     let pairs: Vec<usize> =
         (0..model.contact_pairs.len()).filter(|&p| asked(&model.contact_pairs[p])).collect();
-    pairs.into_iter().flat_map(|pair| adjust_pair(pair, model)).collect()
+    let said = pairs.iter().flat_map(|&pair| adjust_pair(pair, model)).collect();
+    // two nodes that are one in contact stay at one place
+    let moved: HashSet<NodeIndex> =
+        pairs.iter().flat_map(|&pair| model.contact_pairs[pair].slave_nodes()).collect();
+    for [follower, leader] in model.seams.clone() {
+        if moved.contains(&leader) {
+            model.nodes.place(follower, model.nodes.position(leader));
+        }
+    }
+    said
 }
 
 fn adjust_pair(place: usize, model: &mut Model) -> Vec<Diagnostic> {

@@ -26,14 +26,14 @@ pub(super) fn slide_line(
     (facets, slaves): (&[Facet], &[ContactElement]),
     draft: &mut Draft,
 ) -> Option<SlideLine> {
-    let whole = one_face_each(pairing, facets, draft)?;
+    let mut whole = one_face_each(pairing, facets, draft)?;
+    if let Err(broken @ Broken::Apart(_)) = Chain::find(&whole) {
+        let said = of_no_chain(pairing, surface, broken, draft);
+        join(&mut whole, &said, draft);
+    }
     let middles: Vec<_> = whole.iter().filter_map(|facet| facet.middle).collect();
-    let mut facets: Vec<Facet> = whole.iter().flat_map(Facet::parts).collect();
+    let facets: Vec<Facet> = whole.iter().flat_map(Facet::parts).collect();
     let found = match Chain::find(&facets) {
-        Err(broken @ Broken::Apart(_)) => {
-            let said = of_no_chain(pairing, surface, broken, draft);
-            joined(&mut facets, said, draft).ok_or(broken)
-        }
         Err(Broken::Loop(_)) if is_outline(&whole) => {
             Chain::ring(&facets, seam(&whole, slaves, draft))
         }
@@ -166,11 +166,11 @@ fn undecided(pairing: &Pairing, message: String, help: &str, draft: &mut Draft) 
     draft.consequence(Subject::Contact, error.help(help));
 }
 
-/// The chain of pieces of faces of solids, where an end of one is at the end of another: that node then
-/// stands for both. Whether they are one is known when links are: `said` is the complaint if not.
-fn joined(facets: &mut [Facet], said: Diagnostic, draft: &mut Draft) -> Option<Chain> {
+/// Makes a chain or a ring of pieces of faces of solids, where an end of one is at the end of another: that
+/// node then stands for both. Whether they are one is known when links are: `said` is the complaint if not.
+fn join(facets: &mut [Facet], said: &Diagnostic, draft: &mut Draft) {
     if facets.iter().any(|facet| facet.face.is_none()) {
-        return None;
+        return;
     }
     let mut joined = facets.to_vec();
     let mut both = Vec::new();
@@ -189,13 +189,13 @@ fn joined(facets: &mut [Facet], said: Diagnostic, draft: &mut Draft) -> Option<C
                 both.push([node, end]);
             }
             None if ends.len() < MOST_ENDS => ends.push((k, node)),
-            None => return None,
+            None => return,
         }
     }
-    let chain = Chain::find(&joined).ok()?;
-    facets.copy_from_slice(&joined);
-    draft.joined_ends.extend(both.into_iter().map(|both| (both, said.clone())));
-    Some(chain)
+    if let Ok(_) | Err(Broken::Loop(_)) = Chain::find(&joined) {
+        facets.copy_from_slice(&joined);
+        draft.joined_ends.extend(both.into_iter().map(|both| (both, said.clone())));
+    }
 }
 
 /// More ends of pieces than this are not compared with one another.

@@ -13,6 +13,7 @@ use slideline_model::{
     Adjust, ContactPair, Dof, Formulation, LinearConstraint, Master, NodeIndex, Offset,
 };
 
+use crate::changes::{Changed, ModelChange};
 use crate::draft::Draft;
 use crate::rule::Subject;
 
@@ -38,23 +39,27 @@ pub(super) fn in_contact(draft: &mut Draft) {
         }
     }
     // where elements come and go one of both nodes may be left without any
-    if leaders.is_empty() || draft.steps.iter().any(|step| !step.changes.is_empty()) {
+    let of_elements = |own: &ModelChange| matches!(own.of, Changed::Elements(_));
+    if leaders.is_empty() || draft.steps.iter().any(|step| step.changes.iter().any(of_elements)) {
         return;
     }
+    let mut seams = Vec::new();
     let mut pairs = std::mem::take(&mut draft.model.contact_pairs);
     for pair in pairs.iter_mut().filter(|pair| is_of_nodes(pair)) {
         let own = taken(pair, &leaders, draft);
         replace(pair, &own);
+        seams.extend(own.into_iter().map(|(node, leader)| [node, leader]));
     }
+    seams.sort_unstable();
+    seams.dedup();
+    draft.model.seams = seams;
     draft.model.contact_pairs = pairs;
 }
 
-/// Whether the pair asks for places of nodes and nothing else, leaves them there, and its sides are two.
+/// Whether the pair asks for places of nodes and nothing else, and its sides are two.
 fn is_of_nodes(pair: &ContactPair) -> bool {
     let turns = pair.formulation == Formulation::SurfaceToSurface || pair.offset != Offset::NONE;
-    // who follows stays where it is, and would have to be moved as its leader is
-    let moves = pair.adjust != Adjust::Nothing;
-    !turns && !moves && !pair.meets_itself()
+    !turns && !pair.meets_itself()
 }
 
 /// Nodes that follow another one in all displacements, and the last one of those.
@@ -135,13 +140,14 @@ fn taken(
     taken
 }
 
-/// Whether two nodes are at one place, as faces about the first are large.
+/// Whether two nodes are at one place, as faces about the first are large. A face that has none but these two
+/// tells nothing: its own ends are not at one place.
 pub(super) fn is_at(node: NodeIndex, other: NodeIndex, face: &[NodeIndex], draft: &Draft) -> bool {
     let place = |node| draft.model.nodes.position(node);
     let apart = |a: NodeIndex, b: NodeIndex| size(sub(place(a), place(b)));
     let others = face.iter().filter(|&&own| own != node && own != other);
     let nearest = others.map(|&own| apart(node, own)).fold(f64::INFINITY, f64::min);
-    apart(node, other) <= APART * nearest
+    nearest.is_finite() && apart(node, other) <= APART * nearest
 }
 
 /// Puts nodes in the place of others.
@@ -154,6 +160,9 @@ fn replace(pair: &mut ContactPair, by: &HashMap<NodeIndex, NodeIndex>) {
     pair.elements.retain(|own| own.nodes[0] != own.nodes[1]);
     pair.faces.iter_mut().for_each(|face| face.nodes.iter_mut().for_each(put));
     pair.slaves.iter_mut().for_each(put);
+    if let Adjust::Nodes(own) = &mut pair.adjust {
+        own.iter_mut().for_each(put);
+    }
     pair.corners.iter_mut().for_each(put);
     match &mut pair.master {
         Master::Faces(own) => {

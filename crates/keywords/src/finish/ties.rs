@@ -6,6 +6,7 @@
 //!   o----x-------o  master face     at the place x nearest to it
 //! ```
 
+mod bodies;
 mod master;
 mod means;
 
@@ -24,6 +25,7 @@ use crate::constraints::Tie;
 use crate::draft::Draft;
 use crate::rule::Subject;
 use crate::surfaces::{Extent, NamedSurface};
+use bodies::Bodies;
 use master::Master;
 use means::{Means, Shares, means, misplaced};
 
@@ -37,13 +39,14 @@ pub(super) fn ties(draft: &mut Draft) {
     }
     let prescribed = super::steps::prescribed(draft);
     let supports = Supports::new(draft);
+    let bodies = Bodies::of(draft);
     // a node that two ties name follows the first; where one moved, the tie that moved it
     let mut tied = HashMap::new();
     let mut left: VecDeque<&Tie> = ties.iter().collect();
     while let Some(tie) = left.pop_front() {
         let (same, others) = left.into_iter().partition(|other| is_one_with(tie, other));
         left = others;
-        one((tie, &same), (&prescribed, &supports), &mut tied, draft);
+        one((tie, &same), (&prescribed, &supports, &bodies), &mut tied, draft);
     }
     moved(&tied, draft);
 }
@@ -101,7 +104,7 @@ fn masters(tie: &Tie, draft: &mut Draft) -> Vec<Master> {
 /// A tie, with others of the same slave.
 fn one(
     (tie, same): (&Tie, &VecDeque<&Tie>),
-    (prescribed, supports): (&NumberedSet<(NodeIndex, Dof)>, &Supports),
+    (prescribed, supports, bodies): (&NumberedSet<(NodeIndex, Dof)>, &Supports, &Bodies),
     tied: &mut HashMap<NodeIndex, Option<Span>>,
     draft: &mut Draft,
 ) {
@@ -127,7 +130,7 @@ fn one(
     }
     let slaves = slave_faces(tie, &slave, draft);
     let means = match tie.by_faces {
-        true => of_faces(&slaves, (&masters, tie.tolerance), (&near, prescribed), draft),
+        true => of_faces(&slaves, (&masters, tie.tolerance), (&near, prescribed, bodies), draft),
         false => Means::default(),
     };
     if !tie.by_faces && !slaves.is_empty() {
@@ -138,7 +141,9 @@ fn one(
     }
     for own in &near {
         tied.insert(own.node, tie.adjust.then_some(tie.origin));
-        follow(tie, own, (&masters, &means), (prescribed, supports), draft);
+        if !bodies.hold(own.node, &nearest_shares(own, &masters), draft) {
+            follow(tie, own, (&masters, &means), (prescribed, supports), draft);
+        }
     }
     if let Some(&first) = left.first() {
         let label = draft.model.nodes.label(first);
@@ -201,11 +206,12 @@ fn slave_faces(tie: &Tie, slave: &NamedSurface, draft: &mut Draft) -> Vec<Vec<No
 fn of_faces(
     slaves: &[Vec<NodeIndex>],
     masters: (&[Master], Option<f64>),
-    (near, prescribed): (&[TiedNode], &NumberedSet<(NodeIndex, Dof)>),
+    (near, prescribed, bodies): (&[TiedNode], &NumberedSet<(NodeIndex, Dof)>, &Bodies),
     draft: &Draft,
 ) -> Means {
     let held: HashSet<NodeIndex> = prescribed.iter().map(|(node, _)| *node).collect();
     let mut tied: HashSet<NodeIndex> = near.iter().map(|own| own.node).collect();
+    tied.retain(|&node| !bodies.have(node));
     followed_within(slaves, draft).iter().for_each(|node| _ = tied.remove(node));
     let follows = |node: NodeIndex, axis: usize| {
         let dof = draft.model.directions().get(axis);

@@ -1,5 +1,6 @@
 //! `JOB.contact.csv` read back, point by point.
 
+use super::presence::Presence;
 use crate::reading::problem::{Problem, unreadable};
 use crate::reading::table::Table;
 use slideline_results::contact_component;
@@ -28,6 +29,8 @@ pub(crate) struct Contacts {
     count: usize,
     /// Numbers of closed points that are kept.
     kept: usize,
+    /// When pairs have rows.
+    presence: Presence,
 }
 
 /// A slave point from the increment in which it first closed.
@@ -53,6 +56,8 @@ pub(crate) struct Point {
 const STATUS: [(&str, char); 3] = [("open", 'o'), ("stick", 't'), ("slip", 's')];
 const FRICTION: [(&str, char); 3] = [("called", 'c'), ("dropped", 'd'), ("none", 'n')];
 const NUMBERS: [&str; 4] = ["COPEN", "CPRESS", "CSHEAR1", "CSLIP1"];
+/// Gap, pressure, shear traction, slip and angle of a point that faces nothing.
+const NOTHING: [f32; 5] = [f32::INFINITY, 0.0, 0.0, 0.0, 0.0];
 
 /// Where the columns stand.
 struct Columns {
@@ -155,6 +160,8 @@ impl Contacts {
                 self.points.len() - 1
             }
         };
+        self.presence.note(row.pair, now);
+        self.fill(place, now);
         let has_numbers = self.has_numbers(now);
         let point = &mut self.points[place];
         point.status.push(row.status);
@@ -166,6 +173,26 @@ impl Contacts {
         }
         self.limit();
         Ok(())
+    }
+
+    /// Whether a pair that comes back later was removed in this increment.
+    pub fn has_left(&self, pair: &str, place: usize) -> bool {
+        self.presence.has_left(pair, place)
+    }
+
+    /// A pair that was removed and is back has no rows of the time between: its points were open, and faced
+    /// nothing.
+    fn fill(&mut self, place: usize, now: usize) {
+        let point = &self.points[place];
+        for absent in point.first + point.status.len()..now {
+            let has_numbers = self.has_numbers(absent);
+            let point = &mut self.points[place];
+            point.status.push('o');
+            point.friction.push('n');
+            if has_numbers {
+                point.values.iter_mut().zip(NOTHING).for_each(|(own, value)| own.push(value));
+            }
+        }
     }
 
     /// Those of a run that goes on: numbers are kept at every increment until it is [`over`](Self::over).
@@ -308,6 +335,31 @@ mod tests {
         let contacts = read(&path, &numbers).unwrap();
         std::fs::remove_file(&path).unwrap();
         contacts
+    }
+
+    /// Requirement: a pair that is removed and comes back is open in the report for as long as it is away, and
+    /// what it does then stands at its own increments.
+    ///
+    /// What touched before and does not again has no further rows; the pair is known to have left.
+    #[test]
+    fn a_pair_that_comes_back_was_open() {
+        let path = std::env::temp_dir().join(format!("slideline_back_{}.csv", std::process::id()));
+        let row = |own: usize, node: usize| format!("1,{own},0,P,{node},slip,0,{own}\n");
+        let rows = [row(1, 7), row(2, 7), row(2, 8), row(5, 7)].concat();
+        let head = "step,increment,time,pair,node,status,COPEN,CPRESS\n";
+        std::fs::write(&path, format!("{head}{rows}")).unwrap();
+        let contacts = read(&path, &[1, 2, 3, 4, 5].map(|own| [1, own])).unwrap();
+        std::fs::remove_file(&path).unwrap();
+        assert_eq!(
+            [1, 2, 3, 4].map(|own| contacts.has_left("P", own)),
+            [false, true, false, false]
+        );
+        let point = &contacts.points[0];
+        assert_eq!(runs(&point.status), "s2o2s1");
+        assert_eq!(
+            (runs(&point.friction).as_str(), &point.values[1][..]),
+            ("n5", &[1., 2., 0., 0., 5.][..])
+        );
     }
 
     /// Requirement: numbers are thinned where there are many, evenly, the last

@@ -19,6 +19,7 @@ mod live;
 mod options;
 mod overlay;
 mod page;
+mod presence;
 mod results;
 mod skin;
 mod verdict;

@@ -66,10 +66,12 @@ impl Results {
         history.shorten(count);
         let closed = closed_until(job, &energies.numbers, lenient)?;
         let contacts = contact::read(&job.path(".contact.csv"), &energies.numbers)?;
-        // a pair that is removed has no rows any more
+        // a pair that is removed has no rows any more, and when it is back those alone that touch
         let whole = |point: &&contact::Point| {
             let end = point.first + point.status.len();
-            end == count || closed.get(&point.pair).is_some_and(|&closed| closed <= end)
+            end == count
+                || closed.get(&point.pair).is_some_and(|&closed| closed <= end)
+                || contacts.has_left(&point.pair, end)
         };
         let incomplete = contacts.points.iter().find(|point| !whole(point) && !lenient);
         if let Some(point) = incomplete {

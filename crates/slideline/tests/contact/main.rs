@@ -33,6 +33,7 @@ mod profiles;
 mod ridges;
 mod rigid_meshes;
 mod ring_contact;
+mod rings_of_halves;
 mod roles_of_general_contact;
 mod rough_slaves;
 mod rounds;

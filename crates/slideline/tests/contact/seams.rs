@@ -12,6 +12,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
 use crate::space_decks::turn;
+use crate::two_blocks::{mesh, solved as pressed};
 use slideline::observe::Ending;
 use slideline::{Event, Job, Observer, ReadOptions, SolveOptions, Stop};
 use std::fmt::Write as _;
@@ -173,6 +174,10 @@ fn join(deck: &mut String, sides: [String; 2], block: usize, joint: Joint, case:
 
 /// The upper block is pressed on the lower one, drawn along it and back.
 fn solved(case: Case, joint: Joint) -> Forces {
+    run(&deck(case, joint))
+}
+
+fn deck(case: Case, joint: Joint) -> String {
     let mut deck = String::from("*HEADING\nseams\n");
     for block in 0..2 {
         let is_cut = (block == 0) == case.cut_low;
@@ -201,11 +206,15 @@ fn solved(case: Case, joint: Joint) -> Forces {
              *END STEP\n"
         );
     }
-    let read = Job::read_text("seams", &deck, &ReadOptions::default());
-    let model = read.model.unwrap_or_else(|| panic!("{case:?} {joint:?} {:#?}", read.diagnostics));
+    deck
+}
+
+fn run(deck: &str) -> Forces {
+    let read = Job::read_text("seams", deck, &ReadOptions::default());
+    let model = read.model.unwrap_or_else(|| panic!("{:#?}\n{deck}", read.diagnostics));
     let mut forces = Forces::default();
     let ending = slideline::solve(&model, &SolveOptions::default(), &mut forces);
-    assert!(matches!(ending, Ending::Completed(_)), "{case:?} {joint:?} {ending:?}\n{deck}");
+    assert!(matches!(ending, Ending::Completed(_)), "{ending:?}\n{deck}");
     forces
 }
 
@@ -231,6 +240,68 @@ fn a_seam_is_no_edge() {
                 }
             }
         }
+    }
+}
+
+/// Requirement: where the slaves are moved onto the master (`ADJUST`), the two nodes of a seam stay at one place,
+/// and forces are those of the merged mesh. Tolerance: what iterations leave.
+#[test]
+fn a_seam_is_moved_as_one() {
+    let law = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1e4\n";
+    for [in_space, over_faces] in [[false, false], [false, true], [true, false], [true, true]] {
+        let case = Case { in_space, over_faces, cut_low: false, law };
+        let adjusted = |joint| {
+            let text = deck(case, joint);
+            run(&text.replacen(" TO SURFACE\nS1", " TO SURFACE, ADJUST=0.1\nS1", 1)).all
+        };
+        let whole = adjusted(Joint::Merged);
+        let most = whole.iter().flatten().fold(0.0_f64, |most, f| most.max(f.abs()));
+        for joint in [Joint::Tie, Joint::Equation] {
+            let own = adjusted(joint);
+            assert_eq!(own.len(), whole.len(), "{case:?} {joint:?}");
+            for (a, b) in own.iter().flatten().zip(whole.iter().flatten()) {
+                assert!((a - b).abs() < 1e-7 * most, "{case:?} {joint:?} {a} {b}");
+            }
+        }
+    }
+}
+
+/// Requirement: halves that are tied and held by one rigid body across their seam move with it as the whole
+/// does; such decks were refused (SL0316). Tolerance: what iterations leave.
+#[test]
+fn a_rigid_body_may_hold_both_sides_of_a_tie() {
+    for (joint, over_faces) in [Joint::Tie, Joint::TieOfNodes].into_iter().zip([false, true]) {
+        let case = Case { in_space: false, over_faces, cut_low: false, law: "" };
+        let whole = solved(case, Joint::Merged).all;
+        let body = "*NODE, NSET=REF\n9999, 0.3, 2.0\n*RIGID BODY, REF NODE=9999, TIE NSET=HELD1\n*MATERIAL";
+        let held = deck(case, joint).replacen("*MATERIAL", body, 1);
+        let held = held.replace("HELD1, 1, 2\n", "REF, 6, 6\n").replace("HELD1, ", "REF, ");
+        let own = run(&held).all;
+        let most = whole.iter().flatten().fold(0.0_f64, |most, f| most.max(f.abs()));
+        assert_eq!(own.len(), whole.len(), "{joint:?}");
+        for (a, b) in own.iter().flatten().zip(whole.iter().flatten()) {
+            assert!((a - b).abs() < 1e-7 * most, "{joint:?} {a} {b}");
+        }
+    }
+}
+
+/// Requirement: the two ends of a face that follow one another stay two nodes of it, as slave and as master:
+/// blocks with E = 1000 and nu = 0, pressed by d, carry N = E A d/2 all the same. The face was taken for one node,
+/// and carried nothing or fell away. Tolerance: rounding.
+#[test]
+fn ends_of_a_face_that_move_alike_are_two_nodes() {
+    let kinds = ["NODE", "SURFACE"];
+    for (tied, kind) in ["12, 11", "4, 3"].into_iter().flat_map(|own| kinds.map(|kind| (own, kind)))
+    {
+        let deck = format!(
+            "{}*MPC\nTIE, {tied}\n*SURFACE INTERACTION, NAME=I\n*CONTACT PAIR, INTERACTION=I, TYPE={kind} TO \
+             SURFACE\nUPPER, LOWER\n*STEP\n*STATIC\n1., 1.\n*BOUNDARY\nLOW, 1, 2\nHIGH, 1, 2\nHIGH, 2, 2, \
+             -0.01\n*END STEP\n",
+            mesh(false, 0.0)
+        );
+        let curve = pressed(&deck);
+        assert_eq!(curve.contact.len(), 2, "{tied} {kind}");
+        assert!((curve.force[0][1] - 5.0).abs() < 1e-9, "{tied} {kind} {:?}", curve.force);
     }
 }
 
