@@ -124,9 +124,7 @@ impl ContactPair {
 
     /// Its faces as those of a mesh, over the nodes of the model.
     pub fn mesh_faces(&self) -> Vec<MeshFace> {
-        let of_mesh =
-            |face: &ContactFace| Some(MeshFace { cell: face.cell()?, nodes: face.nodes.clone() });
-        self.faces.iter().filter_map(of_mesh).collect()
+        self.faces.iter().filter_map(ContactFace::of_mesh).collect()
     }
 }
 

@@ -10,6 +10,7 @@
 use crate::node::NodeIndex;
 use slideline_diag::Span;
 use slideline_mech::element::cell::{Cell, QUAD4, QUAD8, TRI3, TRI6};
+use slideline_mech::surface::mesh::MeshFace;
 pub use slideline_mech::surface::swept::Sweep;
 
 /// A face of a surface in space.
@@ -33,6 +34,11 @@ impl ContactFace {
             8 => Some(&QUAD8),
             _ => None,
         }
+    }
+
+    /// The face as one of a mesh, over the nodes of the model; `None` as for [`ContactFace::cell`].
+    pub fn of_mesh(&self) -> Option<MeshFace> {
+        Some(MeshFace { cell: self.cell()?, nodes: self.nodes.clone() })
     }
 }
 
@@ -207,6 +213,11 @@ impl MasterFaces {
     /// The first node of its first face.
     pub fn first_node(&self) -> Option<NodeIndex> {
         self.faces.first()?.nodes.first().copied()
+    }
+
+    /// Its faces as those of a mesh, over the nodes of the model.
+    pub fn mesh_faces(&self) -> Vec<MeshFace> {
+        self.faces.iter().filter_map(ContactFace::of_mesh).collect()
     }
 
     /// Its nodes in order of first appearance, each once.

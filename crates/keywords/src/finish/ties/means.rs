@@ -127,7 +127,13 @@ fn slave(
 
 fn faced(master: &Master) -> Faced {
     let places = FacePlaces::new(&master.x);
-    Faced { face: 0, nodes: [0; MOST_NODES], places, ends: FaceEnds::default() }
+    Faced {
+        face: 0,
+        nodes: [0; MOST_NODES],
+        places,
+        ends: FaceEnds::default(),
+        thickness: f64::INFINITY,
+    }
 }
 
 /// The nodes that have enough of their area before the master.

@@ -27,7 +27,7 @@ mod sweep;
 
 pub use clip::{Corner, Overlap};
 pub use couple::Couple;
-pub use cover::{Cover, Faced};
+pub use cover::{Cover, Faced, Looking};
 pub use ends::{Ends, FaceEnds};
 pub use face_places::FacePlaces;
 pub use places::Place;

@@ -9,7 +9,9 @@
 //! forces of the master that are none of a uniform pressure. Means keep it. docs/theory.md
 //! section 4.11.
 
-use super::mortar_faces::{Couple, Cover, Ends, FaceEnds, FacePlaces, Faced, reference_areas};
+use super::mortar_faces::{
+    Couple, Cover, Ends, FaceEnds, FacePlaces, Faced, Looking, reference_areas,
+};
 use crate::element::quadrature::{GAUSS_4, GAUSS_4_MEAN};
 use crate::pressure::{Face, MOST_NODES};
 
@@ -90,7 +92,9 @@ impl TiedFace {
         own.each_place(&measure, |weight, _, shapes| tied.add_own(weight, shapes));
         let faced: Vec<Faced> = masters.iter().map(|(faced, _)| *faced).collect();
         let mut overlaps = Vec::new();
-        cover.find((&own, &FaceEnds::default()), &faced, &mut overlaps);
+        let ends = FaceEnds::default();
+        let looking = Looking { places: &own, ends: &ends, thickness: f64::INFINITY };
+        cover.find(looking, &faced, &mut overlaps);
         for overlap in &overlaps {
             let (master, reach) = &masters[overlap.master];
             let couple = Couple {

@@ -25,6 +25,7 @@ pub mod sharp_faces;
 pub mod sharp_rigid;
 pub mod sweep;
 pub mod swept;
+pub mod thickness;
 pub mod through;
 pub mod tree;
 

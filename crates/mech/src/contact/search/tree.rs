@@ -8,6 +8,8 @@
 //!   +-----------------------+        stand; generic in the dimension
 //! ```
 
+/// Part of a way that is rounding [1].
+const ROUNDING: f64 = 1e-9;
 /// Parts of a leaf.
 const LEAF: usize = 4;
 
@@ -141,6 +143,33 @@ impl<const D: usize> BoxTree<D> {
                 count += 2;
             }
         }
+    }
+
+    /// Calls back with all parts that a line from a place may meet on its way, up to `least` lengths of that [1],
+    /// which may fall meanwhile.
+    pub fn along(
+        &self,
+        (from, way): ([f64; D], [f64; D]),
+        least: &std::cell::Cell<f64>,
+        call: impl FnMut(usize),
+    ) {
+        let enters = |(low, high): &Bounds<D>| {
+            let (mut begin, mut end) = (0.0_f64, least.get());
+            for axis in 0..D {
+                if way[axis] == 0.0 {
+                    if from[axis] < low[axis] || from[axis] > high[axis] {
+                        return false;
+                    }
+                    continue;
+                }
+                let [a, b] = [low, high].map(|bound| (bound[axis] - from[axis]) / way[axis]);
+                begin = begin.max(a.min(b));
+                end = end.min(a.max(b));
+            }
+            // boxes of flat faces have no depth
+            begin <= end + ROUNDING * begin.abs()
+        };
+        self.visit(enters, call);
     }
 
     /// Calls back with all parts that may lie within `reach` of a point, and perhaps others near.

@@ -3,10 +3,10 @@
 use super::super::coverage::{LEAST_AREA, Release};
 use super::super::master::MasterSurface;
 use super::super::pairs::Contact;
-use super::slave::{FaceMortar, SlaveFace};
+use super::slave::{FaceMortar, SlaveFace, Thicknesses};
 use slideline_mech::contact::pair::mortar_faces::{
-    Couple, Cover, Ends, FaceEnds, FacePlaces, Faced, MOST_CORNERS, MOST_NODES, Overlap, Sums,
-    Weights, corners,
+    Couple, Cover, Ends, FaceEnds, FacePlaces, Faced, Looking, MOST_CORNERS, MOST_NODES, Overlap,
+    Sums, Weights, corners,
 };
 use slideline_mech::contact::search::faces::{FaceTree, bounds, tree};
 use slideline_mech::surface::mesh::FaceMesh;
@@ -98,7 +98,7 @@ impl Contact {
         }
         room.faces.truncate(mortar.faces.len());
         for (place, own) in mortar.faces.iter().enumerate() {
-            room.place_face(place, own, mesh);
+            room.place_face((place, own), (mesh, &mortar.thicknesses));
         }
         room.share_out(mortar);
     }
@@ -111,16 +111,21 @@ impl FaceRoom {
         std::array::from_fn(at)
     }
 
-    fn place_face(&mut self, place: usize, own: &SlaveFace, mesh: &FaceMesh) {
+    fn place_face(
+        &mut self,
+        (place, own): (usize, &SlaveFace),
+        (mesh, thick): (&FaceMesh, &Thicknesses),
+    ) {
         let places = own.places(&self.nodes);
         if self.faces.len() <= place {
             self.faces.push(FaceState::new(places));
         }
-        self.find_near(&places, mesh);
+        self.find_near(&places, (mesh, &thick.master));
         let state = &mut self.faces[place];
         state.places = places;
         state.overlaps.clear();
-        self.cover.find((&places, &own.ends), &self.near, &mut state.overlaps);
+        let looking = Looking { places: &places, ends: &own.ends, thickness: thick.slave[place] };
+        self.cover.find(looking, &self.near, &mut state.overlaps);
         // faces that cover nothing are forgotten
         state.masters.clear();
         let mut last = None;
@@ -138,7 +143,7 @@ impl FaceRoom {
 
     /// Faces of the master that a slave face may face: those on its normals, no further than the
     /// nearest one and the face's own size.
-    fn find_near(&mut self, own: &FacePlaces<f64>, mesh: &FaceMesh) {
+    fn find_near(&mut self, own: &FacePlaces<f64>, (mesh, thick): (&FaceMesh, &[f64])) {
         self.near.clear();
         let Some(tree) = &self.tree else { return };
         let nodes = &own.nodes[..own.count];
@@ -176,7 +181,9 @@ impl FaceRoom {
                 let number = |k: usize| nodes.get(k).copied().unwrap_or_default();
                 let at_end = |k: usize| nodes.get(k).is_some_and(|&node| mesh.is_at_end(node));
                 let ends = FaceEnds { edges: mesh.ends(face), nodes: std::array::from_fn(at_end) };
-                near.push(Faced { face, nodes: std::array::from_fn(number), places, ends });
+                let thickness = thick.get(face).copied().unwrap_or(f64::INFINITY);
+                let nodes = std::array::from_fn(number);
+                near.push(Faced { face, nodes, places, ends, thickness });
             }
         });
         near.sort_unstable_by_key(|own| own.face);

@@ -5,10 +5,11 @@ use slideline_mech::axes::Axes;
 use slideline_mech::contact::pair::mortar_faces::{
     FaceEnds, FacePlaces, MOST_CORNERS, MOST_NODES, corners, reference_areas,
 };
+use slideline_mech::contact::search::thickness::thicknesses;
 use slideline_mech::surface::axes::{Bearing, bearing_of_axis};
-use slideline_mech::surface::mesh::{nodes_at_ends, smooth_groups, surface_ends};
+use slideline_mech::surface::mesh::{MeshFace, nodes_at_ends, smooth_groups, surface_ends};
 use slideline_mech::vector::{Vector, add, cross, scale, size, sub};
-use slideline_model::{ContactPair, Model, NodeIndex};
+use slideline_model::{ContactPair, Master, Model, NodeIndex};
 use std::collections::HashMap;
 
 /// A slave face.
@@ -46,6 +47,28 @@ pub struct FaceMortar {
     /// Where friction has coefficients along the axes of the surface: how axis 1 stands to the first
     /// edge that leaves a point; empty else [1].
     pub axes: Vec<Bearing>,
+    /// How thick the parts are behind the faces of both sides.
+    pub thicknesses: Thicknesses,
+}
+
+/// How thick the parts of a pair are behind each of their undeformed faces [L].
+#[derive(Clone, Debug, Default)]
+pub struct Thicknesses {
+    /// Behind those of the slave.
+    pub slave: Vec<f64>,
+    /// Behind those of the master; none of analytical surfaces.
+    pub master: Vec<f64>,
+}
+
+impl Thicknesses {
+    fn of(model: &Model, pair: &ContactPair) -> Self {
+        let behind = |faces: &[MeshFace]| thicknesses(faces, |node| model.nodes.get(node).position);
+        let master = match &pair.master {
+            Master::Faces(master) if master.swept.is_none() => behind(&master.mesh_faces()),
+            _ => Vec::new(),
+        };
+        Self { slave: behind(&pair.mesh_faces()), master }
+    }
 }
 
 impl SlaveFace {
@@ -110,6 +133,7 @@ impl FaceMortar {
             dofs: nodes.iter().map(|&node| dofs.translations(node)).collect(),
             nodes,
             axes: Vec::new(),
+            thicknesses: Thicknesses::default(),
         };
         own.part(model, pair, slaves.len());
         own
@@ -171,6 +195,7 @@ impl FaceMortar {
         self.positions.clear();
         let at = |node: &NodeIndex| model.nodes.get(*node).position;
         self.positions.extend(self.nodes.iter().map(at));
+        self.thicknesses = Thicknesses::of(model, &model.contact_pairs[self.pair]);
         for face in &mut self.faces {
             let places = face.places(&self.positions);
             face.measure = reference_areas(&places);

@@ -20,6 +20,9 @@ const STEEP: f64 = 0.2;
 const EDGEWISE: f64 = 1e-3;
 /// Part of its own area that an overlap must have in common with a nearer one to be hidden [1].
 const HIDDEN: f64 = 0.5;
+/// Part of the thickness of the thinner part up to which a face may stand behind another one [1]: from there on the
+/// other side of that part is nearer, and what is seen through it was not gone through.
+const WITHIN: f64 = 0.5;
 /// Part of a piece by which the areas of overlaps may exceed it before any is hidden [1].
 const ROUNDING: f64 = 1e-6;
 
@@ -34,6 +37,19 @@ pub struct Faced {
     pub places: FacePlaces<f64>,
     /// Where it is at an end of its surface.
     pub ends: FaceEnds,
+    /// How thick its part is behind it [L].
+    pub thickness: f64,
+}
+
+/// A slave face that looks for what it faces.
+#[derive(Debug, Clone, Copy)]
+pub struct Looking<'a> {
+    /// Where it stands.
+    pub places: &'a FacePlaces<f64>,
+    /// Where it is at an end of its surface.
+    pub ends: &'a FaceEnds,
+    /// How thick its part is behind it [L].
+    pub thickness: f64,
 }
 
 impl Faced {
@@ -103,19 +119,20 @@ pub struct Cover {
 }
 
 impl Cover {
-    /// Adds the overlaps of a slave face, which is at ends of its surface there, with faces that may face it.
-    pub fn find(
-        &mut self,
-        (slave, ends): (&FacePlaces<f64>, &FaceEnds),
-        masters: &[Faced],
-        overlaps: &mut Vec<Overlap>,
-    ) {
+    /// Adds the overlaps of a slave face with faces that may face it.
+    pub fn find(&mut self, own: Looking<'_>, masters: &[Faced], overlaps: &mut Vec<Overlap>) {
+        let Looking { places: slave, ends, thickness } = own;
         for piece in 0..pieces(slave.count).len() {
             let Some(window) = Window::new(slave, piece) else { continue };
             self.seen.clear();
             for (place, master) in masters.iter().enumerate() {
                 for master_piece in 0..pieces(master.places.count).len() {
-                    self.see((piece, place, master_piece), slave, &window, &master.places);
+                    let thin = thickness.min(master.thickness);
+                    self.see(
+                        (piece, place, master_piece),
+                        (slave, &window),
+                        (&master.places, thin),
+                    );
                 }
             }
             self.leave_out_across(&window, &PieceEnds::new(ends, slave.count, piece));
@@ -128,9 +145,8 @@ impl Cover {
     fn see(
         &mut self,
         (piece, place, master_piece): (usize, usize, usize),
-        slave: &FacePlaces<f64>,
-        window: &Window,
-        master: &FacePlaces<f64>,
+        (slave, window): (&FacePlaces<f64>, &Window),
+        (master, thin): (&FacePlaces<f64>, f64),
     ) {
         let Some(plane) = master.plane(master_piece) else { return };
         let across = dot(plane.normal, window.normal);
@@ -146,7 +162,10 @@ impl Cover {
         let (from, own) = (of_master.nodes[0], slave.piece(piece).nodes[0]);
         let height = dot(sub(own, upon), window.normal);
         let gap = dot(sub(from, upon), plane.normal) / across - height;
-        self.seen.push(Seen { overlap, polygon, gap, faces: across < -STEEP });
+        let faces = across < -STEEP;
+        if !(faces && gap < -WITHIN * thin) {
+            self.seen.push(Seen { overlap, polygon, gap, faces });
+        }
     }
 
     /// Leaves out what lies along an end of the slave and is deeper than it is wide, with all that is about as deep:

@@ -2,7 +2,7 @@
 
 use super::clip::Overlap;
 use super::couple::Couple;
-use super::cover::{Cover, Faced};
+use super::cover::{Cover, Faced, Looking};
 use super::ends::{Ends, FaceEnds};
 use super::face_places::FacePlaces;
 use super::places::{Place, add_scaled, cross, dot, sub};
@@ -52,6 +52,10 @@ fn face(
     FacePlaces::new(&all)
 }
 
+fn looking<'a>(places: &'a FacePlaces<f64>, ends: &'a FaceEnds) -> Looking<'a> {
+    Looking { places, ends, thickness: f64::INFINITY }
+}
+
 /// A face that ends at all its edges.
 const ALL_ENDS: FaceEnds = FaceEnds { edges: [true; MOST_CORNERS], nodes: [true; MOST_NODES] };
 
@@ -71,8 +75,9 @@ impl Case {
             nodes: [0; MOST_NODES],
             places: self.master,
             ends: self.ends.master,
+            thickness: f64::INFINITY,
         }];
-        Cover::default().find((&self.slave, &self.ends.slave), &masters, &mut overlaps);
+        Cover::default().find(looking(&self.slave, &self.ends.slave), &masters, &mut overlaps);
         assert!(!overlaps.is_empty());
         overlaps
     }
@@ -320,6 +325,7 @@ fn faces_that_do_not_match_cover_one_another() {
                         nodes: [0; MOST_NODES],
                         places,
                         ends: FaceEnds::default(),
+                        thickness: f64::INFINITY,
                     })
                     .collect();
                 let (mut area, mut gap) = (0.0, 0.0);
@@ -328,7 +334,7 @@ fn faces_that_do_not_match_cover_one_another() {
                     let measure = reference_areas(slave);
                     let mut overlaps = Vec::new();
                     let no_ends = FaceEnds::default();
-                    Cover::default().find((slave, &no_ends), &masters, &mut overlaps);
+                    Cover::default().find(looking(slave, &no_ends), &masters, &mut overlaps);
                     for own in &overlaps {
                         let master = &masters[own.master].places;
                         let ends = Ends::default();
@@ -375,11 +381,17 @@ fn the_nearest_counts() {
             .enumerate()
             .map(|(face, &(height, down))| {
                 let places = paved(4, 1, height, down)[0];
-                Faced { face, nodes: [0; MOST_NODES], places, ends: FaceEnds::default() }
+                Faced {
+                    face,
+                    nodes: [0; MOST_NODES],
+                    places,
+                    ends: FaceEnds::default(),
+                    thickness: f64::INFINITY,
+                }
             })
             .collect();
         let mut overlaps = Vec::new();
-        Cover::default().find((&slave, &FaceEnds::default()), &masters, &mut overlaps);
+        Cover::default().find(looking(&slave, &FaceEnds::default()), &masters, &mut overlaps);
         overlaps.iter().map(|own| own.master).collect::<Vec<_>>()
     };
     assert_eq!(faced(&[(0.4, true), (0.3, true)]), [1]);
@@ -402,11 +414,17 @@ fn an_end_that_went_in_elsewhere_meets_nothing() {
             for node in &mut own.nodes[..own.count] {
                 node[1] = from + 0.5 * (1.0 + node[1]) * (to - from);
             }
-            Faced { face: 0, nodes: [0; MOST_NODES], places: own, ends: FaceEnds::default() }
+            Faced {
+                face: 0,
+                nodes: [0; MOST_NODES],
+                places: own,
+                ends: FaceEnds::default(),
+                thickness: f64::INFINITY,
+            }
         };
         let masters: Vec<Faced> = paved(4, cells, -depth, true).into_iter().map(place).collect();
         let mut overlaps = Vec::new();
-        Cover::default().find((&slave, ends), &masters, &mut overlaps);
+        Cover::default().find(looking(&slave, ends), &masters, &mut overlaps);
         overlaps.len()
     };
     for cells in [1, 3] {
@@ -419,4 +437,26 @@ fn an_end_that_went_in_elsewhere_meets_nothing() {
         assert!(covered(&FaceEnds::default(), cells, 0.5, [-2.0, -0.9]) > 0);
         assert!(covered(&ends, cells, 0.5, [0.9, 2.0]) > 0);
     }
+}
+
+/// Requirement: a face deeper in a part than half of what that, or its own part, is thick was not gone through: its other
+/// side is nearer.
+#[test]
+fn what_is_seen_through_a_part_is_not_met() {
+    let (slave, ends) = (paved(4, 1, 0.0, false)[0], FaceEnds::default());
+    let covered = |depth: f64, [own, other]: [f64; 2]| {
+        let places = paved(4, 1, -depth, true)[0];
+        let masters = [Faced { face: 0, nodes: [0; MOST_NODES], places, ends, thickness: other }];
+        let mut overlaps = Vec::new();
+        let looking = Looking { thickness: own, ..looking(&slave, &ends) };
+        Cover::default().find(looking, &masters, &mut overlaps);
+        overlaps.len()
+    };
+    let open = f64::INFINITY;
+    for (thick, is_met) in [([open, open], 1), ([0.9, open], 1), ([0.7, open], 0), ([open, 0.7], 0)]
+    {
+        assert_eq!(covered(0.4, thick), is_met, "{thick:?}");
+    }
+    // what is in front is met however thin both are
+    assert_eq!(covered(-0.4, [0.1, 0.1]), 1);
 }

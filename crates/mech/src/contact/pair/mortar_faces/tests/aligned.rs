@@ -72,7 +72,7 @@ fn forces(slave: &Sheet, master: &Sheet, pressure: &[f64]) -> Vec<Place<f64>> {
         .map(|(face, (nodes, ends))| {
             let mut all = [0; MOST_NODES];
             all[..4].copy_from_slice(&nodes);
-            Faced { face, nodes: all, places: master.places(nodes), ends }
+            Faced { face, nodes: all, places: master.places(nodes), ends, thickness: f64::INFINITY }
         })
         .collect();
     let mut sum = vec![[0.0; 3]; slave.at.len() + master.at.len()];
@@ -80,7 +80,7 @@ fn forces(slave: &Sheet, master: &Sheet, pressure: &[f64]) -> Vec<Place<f64>> {
         let own = slave.places(nodes);
         let measure = reference_areas(&own);
         let mut overlaps = Vec::new();
-        Cover::default().find((&own, &FaceEnds::default()), &faced, &mut overlaps);
+        Cover::default().find(looking(&own, &FaceEnds::default()), &faced, &mut overlaps);
         for overlap in &overlaps {
             let other = &faced[overlap.master];
             let master = &other.places;
