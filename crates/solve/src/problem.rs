@@ -150,9 +150,11 @@ impl<'a> Problem<'a> {
         self.enforcement.is_some_and(Enforcement::inserts_laws)
     }
 
-    /// Whether friction is there and the deck wants a symmetric tangent.
+    /// Whether contact makes the tangent unsymmetric and the deck wants a symmetric one.
     pub fn symmetrised(&self) -> bool {
-        self.step.unsymmetric == Some(false) && self.contact.laws.iter().any(Laws::has_friction)
+        let contact = &self.contact;
+        let rubs = || contact.laws.iter().any(Laws::has_friction);
+        self.step.unsymmetric == Some(false) && (rubs() || contact.has_unsymmetric_mortar())
     }
 
     /// Whether the pattern holds all couplings of a point.
@@ -226,10 +228,10 @@ impl<'a> Problem<'a> {
 }
 
 /// The symmetry of the tangent of a step: none where there is friction, a pressure or traction that follows
-/// its face, softened contact spread over faces, or a moment about a fixed axis in space, unless the deck says otherwise.
+/// its face, softened contact spread over faces, contact over faces in space, or a moment about a fixed axis in space, unless the deck says otherwise.
 pub fn kind(model: &Model, step: &Step, contact: &Contact) -> Kind {
     let rubs = || contact.laws.iter().any(Laws::has_friction);
-    let unsymmetric = || follows(model, step) || rubs() || contact.has_soft_mortar();
+    let unsymmetric = || follows(model, step) || rubs() || contact.has_unsymmetric_mortar();
     if step.unsymmetric.unwrap_or_else(unsymmetric) { Kind::Unsymmetric } else { Kind::Symmetric }
 }
 

@@ -70,10 +70,20 @@ pub(super) fn slide_line(
             return None;
         }
     }
-    let middle: std::collections::HashSet<_> = middles.into_iter().collect();
+    Some(drawn(chain.nodes, &middles, pairing, surface))
+}
+
+/// The line of these nodes as its pair draws it.
+fn drawn(
+    nodes: Vec<NodeIndex>,
+    middles: &[NodeIndex],
+    pairing: &Pairing,
+    surface: &NamedSurface,
+) -> SlideLine {
     let middles = match pairing.formulation {
-        Formulation::SurfaceToSurface if !middle.is_empty() => {
-            chain.nodes.iter().map(|node| middle.contains(node)).collect()
+        Formulation::SurfaceToSurface if !middles.is_empty() => {
+            let middles: std::collections::HashSet<_> = middles.iter().collect();
+            nodes.iter().map(|node| middles.contains(node)).collect()
         }
         _ => Vec::new(),
     };
@@ -82,13 +92,13 @@ pub(super) fn slide_line(
         // what is integrated needs no smooth corners
         _ => Some(0.0),
     };
-    let (nodes, extension, origin) = (chain.nodes, pairing.extension, surface.origin);
+    let (extension, origin) = (pairing.extension, surface.origin);
     let mut line = SlideLine { nodes, middles, smooth, extension, origin };
     if line.is_ring() {
         // nothing lies beyond the ends of what goes all round
         line.extension = 0.0;
     }
-    Some(line)
+    line
 }
 
 /// Says so where a chain crosses itself.

@@ -60,3 +60,44 @@ fn sides_do_not_meet_what_they_are_inside_of() {
         assert!(off < 0.01, "{kinds:?} {one:?} {other:?}");
     }
 }
+
+/// An arched block pressed by a quarter of its height on a softer one of rubber, arched the other way, without friction.
+fn arched(more: &str) -> String {
+    let below = Block { name: "BELOW", base: 0, cells: [4, 4, 2], kind: Kind::C3d8i };
+    let above = Block { name: "ABOVE", base: 10_000, cells: [2, 2, 1], kind: Kind::C3d8i };
+    let mut text = String::new();
+    below.write(&mut text, |[x, y, z]| {
+        let [x, y] = [2.64 * (x - 0.5), 1.6 * (y - 0.5)];
+        [x, y, 0.63 * (z - 1.0) - z * 0.067 * y * y]
+    });
+    above.write(&mut text, |[x, y, z]| {
+        let [x, y] = [0.86 * (x - 0.5), 1.11 * (y - 0.5)];
+        [x - 0.15, y - 0.13, 0.01 + 0.52 * z + (1.0 - z) * 0.133 * x * x]
+    });
+    text += &below.set("FIX", |[_, _, z]| z == 0.0);
+    text += &above.set("TOP", |[_, _, z]| z == 1.0);
+    text += "*SURFACE, NAME=LOWER\nBELOW,\n*SURFACE, NAME=UPPER\nABOVE,\n";
+    for (name, rubber) in [("BELOW", "33., 0.006"), ("ABOVE", "833., 0.00024")] {
+        text += &format!(
+            "*MATERIAL, NAME={name}\n*HYPERELASTIC, NEO HOOKE\n{rubber}\n*SOLID SECTION, ELSET={name}, MATERIAL={name}\n"
+        );
+    }
+    text + "*SURFACE INTERACTION, NAME=I\n*CONTACT PAIR, INTERACTION=I, TYPE=SURFACE TO SURFACE\nUPPER, LOWER\n*BOUNDARY\nFIX, 1, 3\n"
+        + &format!(
+            "*STEP, NLGEOM{more}\n*STATIC\n0.125, 1.\n*BOUNDARY\nTOP, 1, 2\nTOP, 3, 3, -0.15\n*END STEP\n"
+        )
+}
+
+/// Requirement: contact over curved faces in space, whose forces are those of a potential but for the error of their
+/// integrals, finds its end without friction too, with no attempt given up, and the same one where a symmetric tangent is
+/// asked for.
+#[test]
+fn faces_that_are_no_parallelograms_press_without_friction() {
+    let [own, symmetric] = ["", ", UNSYMM=NO"].map(|more| solved(&arched(more)));
+    assert_eq!((own.given_up, symmetric.given_up), (0, 0));
+    assert!(own.worst < 1e-9, "{}", own.worst);
+    assert!(own.most() <= 6, "{:?}", own.iterations);
+    let [one, other] = [own.force(), symmetric.force()];
+    let off = size(std::array::from_fn(|k| one[k] - other[k])) / size(one);
+    assert!(off < 1e-5, "{one:?} {other:?}");
+}

@@ -53,11 +53,11 @@ impl Contact {
     }
 
     /// Whether the tangent of some pair is not symmetric even without friction: where faces are
-    /// covered in part, pressures change with areas that move. docs/theory.md eq. (5.29)
-    pub fn has_soft_mortar(&self) -> bool {
-        let plane = self.mortars.iter().map(|mortar| mortar.pair);
-        let space = self.face_mortars.iter().map(|mortar| mortar.pair);
-        plane.chain(space).any(|pair| self.is_soft(pair))
+    /// covered in part, pressures of a softened law change with areas that move (docs/theory.md eq. (5.29)); in
+    /// space forces are those of a potential but for the error of the rule of integration (5.11).
+    pub fn has_unsymmetric_mortar(&self) -> bool {
+        let is_soft = |mortar: &Mortar| self.is_soft(mortar.pair);
+        !self.face_mortars.is_empty() || self.mortars.iter().any(is_soft)
     }
 
     /// Where all points of the mortars stand at displacements `u`, with slips since `before`.
