@@ -112,10 +112,9 @@ fn master_surface(start: &Start<'_>, pair: &ContactPair) -> Option<MasterSurface
         }
         Master::SlideLine(line) => {
             let at: Vec<_> = line.nodes.iter().map(|&n| start.model.nodes.position(n)).collect();
-            Some(MasterSurface::Line(
-                Chain::new(&at, line.smooth, line.extension)?,
-                line.nodes.clone(),
-            ))
+            let mut chain = Chain::new(&at, line.smooth, line.extension)?;
+            chain.is_ring = line.is_ring();
+            Some(MasterSurface::Line(chain, line.nodes.clone()))
         }
     }
 }

@@ -54,7 +54,7 @@ pub(crate) fn request(card: &Reading<'_>, kind: Kind, draft: &mut Draft) {
     // tables are along the axes of the nodes, files along those of the model
     let own_axes = match card.yes("GLOBAL", &mut draft.log) {
         Some(global) => !global,
-        None => kind != Kind::File,
+        None => kind == Kind::Print,
     };
     if let (Some(asked), Some(step)) = (asked, draft.step()) {
         let (request, variables) = (asked.request, asked.variables);

@@ -7,11 +7,16 @@
 //!   ===o===n===o===
 //! ```
 //! Where that way leads round the rim of a surface to its other side, nothing tells the sides
-//! apart: there elements with faces count alone.
+//! apart: there elements with faces count alone. Where the surface is a patch of the skin, elements
+//! beyond its rim are those of the next patch.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
+use slideline_mech::vector::{Vector, cross, dot, size, sub};
 use slideline_model::{ElementBlock, ElementIndex, NodeIndex};
+
+/// Cosine of the angle up to which faces belong to one side of a body: 45 degrees.
+const SMOOTH: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 /// Nodes of a face, in ascending order.
 type Key = Vec<NodeIndex>;
@@ -19,7 +24,7 @@ type Key = Vec<NodeIndex>;
 /// Elements by the nodes at which they stand behind the faces, which are elements with nodes.
 pub(super) fn behind(
     faces: &[(ElementIndex, &[NodeIndex])],
-    blocks: &[ElementBlock],
+    (blocks, position): (&[ElementBlock], &impl Fn(NodeIndex) -> Vector),
 ) -> BTreeMap<ElementIndex, Vec<NodeIndex>> {
     let named: HashSet<(ElementIndex, Key)> =
         faces.iter().map(|(element, nodes)| (*element, key(nodes.iter().copied()))).collect();
@@ -38,11 +43,62 @@ pub(super) fn behind(
             keys.any(|key| cut.contains(&key) && !named.contains(&(*element, key)))
         };
         let wraps = reached.iter().any(is_beyond);
-        for element in if wraps { first } else { reached } {
+        let skin = Skin::at(node, star, blocks);
+        let is_next = |element: &ElementIndex| {
+            !first.contains(element) && skin.goes_on(*element, &cut, position)
+        };
+        let counted: BTreeSet<ElementIndex> = match wraps {
+            true => first.clone(),
+            false => reached.into_iter().filter(|element| !is_next(element)).collect(),
+        };
+        for element in counted {
             found.entry(element).or_default().push(node);
         }
     }
     found
+}
+
+/// The faces at a node that one element alone has.
+struct Skin(Vec<(ElementIndex, Key)>);
+
+impl Skin {
+    fn at(node: NodeIndex, star: &[ElementIndex], blocks: &[ElementBlock]) -> Self {
+        let mut sides: BTreeMap<Key, Vec<ElementIndex>> = BTreeMap::new();
+        for &element in star {
+            keys(element, node, blocks).for_each(|key| sides.entry(key).or_default().push(element));
+        }
+        let alone = sides.into_iter().filter(|(_, elements)| elements.len() == 1);
+        Self(alone.map(|(key, elements)| (elements[0], key)).collect())
+    }
+
+    /// Whether an element carries on the side of the body of which the surface has faces at the node.
+    fn goes_on(
+        &self,
+        element: ElementIndex,
+        cut: &HashSet<&Key>,
+        position: &impl Fn(NodeIndex) -> Vector,
+    ) -> bool {
+        let surface: Vec<Vector> = self
+            .0
+            .iter()
+            .filter(|(_, key)| cut.contains(key))
+            .map(|(_, key)| bearing(key, position))
+            .collect();
+        let own = self.0.iter().filter(|(of, key)| *of == element && !cut.contains(key));
+        own.map(|(_, key)| bearing(key, position))
+            .any(|own| surface.iter().any(|other| dot(own, *other).abs() >= SMOOTH))
+    }
+}
+
+/// Unit vector across a face, along an edge [1].
+fn bearing(key: &Key, position: &impl Fn(NodeIndex) -> Vector) -> Vector {
+    let from = position(key[0]);
+    let ways: Vec<Vector> = key[1..].iter().map(|&node| sub(position(node), from)).collect();
+    let across = ways.iter().skip(1).map(|way| cross(ways[0], *way));
+    let longest = across.max_by(|a, b| size(*a).total_cmp(&size(*b)));
+    let bearing = longest.unwrap_or(ways[0]);
+    let length = size(bearing);
+    bearing.map(|part| if length > 0.0 { part / length } else { 0.0 })
 }
 
 fn key(nodes: impl Iterator<Item = NodeIndex>) -> Key {

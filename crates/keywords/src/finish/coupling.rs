@@ -48,9 +48,28 @@ pub(super) fn axes_of_references(draft: &mut Draft) {
         let Some(node) = draft.reference_of(&coupling.reference, coupling.reference_span) else {
             continue;
         };
-        let system = System::Rectangular(orientation.at(&[], draft.model.nodes.position(node)));
+        let axes = orientation.at(&[], draft.model.nodes.position(node));
+        match draft.axes.get(&node) {
+            Some(known) if *known == axes => continue,
+            Some(_) => {
+                two_systems(node, *span, draft);
+                continue;
+            }
+            None => {}
+        }
+        let system = System::Rectangular(axes);
         super::axes::give(vec![node], system, *span, draft);
     }
+}
+
+/// The axes of a coupling are those of its reference node, which may have others.
+fn two_systems(node: NodeIndex, span: Span, draft: &mut Draft) {
+    let name = draft.model.nodes.name(node);
+    let message =
+        format!("the reference node {name} has axes of its own, and its coupling has others");
+    let error = Diagnostic::error(Code("SL0349"), message).at(span);
+    let help = "give both the same axes, or leave out *TRANSFORM of that node or ORIENTATION of the coupling";
+    draft.consequence(Subject::Nodes, error.help(help));
 }
 
 /// Couples the nodes of a coupling with its reference node.

@@ -10,6 +10,7 @@
 use std::collections::HashSet;
 
 use slideline_diag::{Code, Diagnostic};
+use slideline_mech::contact::search::tree::BoxTree;
 use slideline_mech::element::cell::{Cell, Within, within};
 use slideline_model::{Dof, NodeIndex};
 
@@ -55,26 +56,35 @@ impl Host {
 
 /// Makes the nodes of all embedded elements follow.
 pub(super) fn embed(draft: &mut Draft) {
-    let mut done = HashSet::new();
-    for embedment in std::mem::take(&mut draft.embedments) {
-        one(&embedment, &mut done, draft);
+    let (mut done, all) = (HashSet::new(), std::mem::take(&mut draft.embedments));
+    let mut inner = |own: &Embedment| -> Vec<usize> {
+        let targets = own.embedded.iter();
+        targets.flat_map(|(target, span)| draft.elements_at(target, *span)).collect()
+    };
+    let inner: Vec<Vec<usize>> = all.iter().map(&mut inner).collect();
+    let embedded: HashSet<usize> = inner.iter().flatten().copied().collect();
+    for (embedment, inner) in all.iter().zip(&inner) {
+        one((embedment, inner), &embedded, &mut done, draft);
     }
 }
 
-fn one(embedment: &Embedment, done: &mut HashSet<NodeIndex>, draft: &mut Draft) {
-    let targets = embedment.embedded.iter();
-    let inner: HashSet<usize> =
-        targets.flat_map(|(target, span)| draft.elements_at(target, *span)).collect();
-    let Some(hosts) = hosts(embedment, &inner, draft) else { return };
+fn one(
+    (embedment, inner): (&Embedment, &[usize]),
+    embedded: &HashSet<usize>,
+    done: &mut HashSet<NodeIndex>,
+    draft: &mut Draft,
+) {
+    let Some(hosts) = hosts(embedment, embedded, draft) else { return };
     let own: HashSet<NodeIndex> = hosts.iter().flat_map(|host| host.nodes.clone()).collect();
     let mut nodes: Vec<NodeIndex> =
         inner.iter().flat_map(|&index| nodes_of(index, draft)).collect();
     nodes.retain(|node| !own.contains(node) && done.insert(*node));
     nodes.sort_unstable();
     let reach = reach(&hosts, embedment.outside);
+    let tree = BoxTree::<3>::new(hosts.len(), |host| (hosts[host].low, hosts[host].high));
     let mut lost = Vec::new();
     for node in nodes {
-        match found(&hosts, draft.model.nodes.position(node), reach) {
+        match found((&hosts, &tree), draft.model.nodes.position(node), reach) {
             Some((host, place)) => follow(node, (host, &place), embedment, draft),
             None => lost.push(node),
         }
@@ -114,7 +124,6 @@ fn hosts(embedment: &Embedment, inner: &HashSet<usize>, draft: &mut Draft) -> Op
         draft.consequence(Subject::Elements, error.help("name solids with HOST ELSET"));
         return None;
     }
-    hosts.sort_by(|a, b| a.low[0].total_cmp(&b.low[0]));
     Some(hosts)
 }
 
@@ -125,11 +134,18 @@ fn reach(hosts: &[Host], outside: Outside) -> f64 {
 }
 
 /// The host that a point lies in, or the nearest one within reach.
-fn found(hosts: &[Host], point: [f64; 3], reach: f64) -> Option<(&Host, Within)> {
-    // sorted by where they begin along x
-    let end = hosts.partition_point(|host| host.low[0] <= point[0] + reach);
+fn found<'a>(
+    (hosts, tree): (&'a [Host], &BoxTree<3>),
+    point: [f64; 3],
+    reach: f64,
+) -> Option<(&'a Host, Within)> {
+    let mut near = Vec::new();
+    let window = (point.map(|x| x - reach), point.map(|x| x + reach));
+    tree.overlapping(window, |host| near.push(host));
+    near.sort_unstable();
     let mut best: Option<(&Host, Within)> = None;
-    for host in hosts[..end].iter().filter(|host| host.is_near(point, reach)) {
+    for host in near.into_iter().map(|host| &hosts[host]).filter(|host| host.is_near(point, reach))
+    {
         let Some(place) = within(host.cell, &host.places, point) else { continue };
         let nearer = best.as_ref().is_none_or(|(_, known)| place.distance < known.distance);
         if place.distance <= reach && nearer {

@@ -168,7 +168,13 @@ fn replace(pair: &mut ContactPair, by: &HashMap<NodeIndex, NodeIndex>) {
         Master::Faces(own) => {
             own.faces.iter_mut().for_each(|face| face.nodes.iter_mut().for_each(put));
         }
-        Master::SlideLine(line) => line.nodes.iter_mut().for_each(put),
+        Master::SlideLine(line) => {
+            line.nodes.iter_mut().for_each(put);
+            if line.is_ring() {
+                // nothing lies beyond the ends of what goes all round
+                line.extension = 0.0;
+            }
+        }
         Master::RigidSurface(_) | Master::Itself(_) => {}
     }
     for own in &mut pair.left_out {

@@ -56,7 +56,8 @@ fn own(
         print.faces.push(SectionFace { face, nodes: solid.nodes.clone() });
         elements.push((element, &solid.nodes));
     }
-    let shares = behind(&elements, &draft.model.blocks).into_iter();
+    let shares = behind(&elements, (&draft.model.blocks, &|node| draft.model.nodes.position(node)))
+        .into_iter();
     print.shares = shares.map(|(element, nodes)| SectionShare { element, nodes }).collect();
     Some(print)
 }

@@ -64,6 +64,8 @@ fn block(
     let has_length = matches!(section.way, SpringWay::Line { .. });
     let section = slideline_model::Section::Spring(section);
     let mut block = ElementBlock::new(row, &spring.set, section, spring.origin);
+    let labels = || draft.model.nodes.iter().map(|node| node.label);
+    let mut last = crossed.map_or(0, |_| labels().max().unwrap_or(0));
     for index in found {
         let element = draft.elements[index];
         let labels = element.nodes().iter();
@@ -71,7 +73,8 @@ fn block(
             labels.map(|&label| draft.model.nodes.find(label)).collect();
         let Some(mut nodes) = nodes else { continue };
         if let (Some(dofs), [_, end]) = (crossed, &mut nodes[..]) {
-            *end = stand_in(*end, dofs, spring.origin, draft);
+            last += 1;
+            *end = stand_in((*end, last), dofs, spring.origin, draft);
         }
         if let [a, b] = *nodes
             && has_length
@@ -84,15 +87,14 @@ fn block(
     draft.model.blocks.push(block);
 }
 
-/// A node whose first dof follows the other dof of a node.
+/// A node of a label that is free whose first dof follows the other dof of a node.
 fn stand_in(
-    node: NodeIndex,
+    (node, label): (NodeIndex, u64),
     (dof, other): (Dof, Dof),
     origin: Span,
     draft: &mut Draft,
 ) -> NodeIndex {
-    let last = draft.model.nodes.iter().map(|node| node.label).max().unwrap_or(0);
-    let (label, position) = (last + 1, draft.model.nodes.position(node));
+    let position = draft.model.nodes.position(node);
     draft.cut_nodes.insert(label, draft.uncut(draft.model.nodes.label(node)));
     let own = draft.model.nodes.insert(Node { label, position, origin });
     let (dependent, terms) = ((own, dof), vec![(node, other, 1.0)]);

@@ -3,8 +3,8 @@
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
-    Controls, Dof, ElementBlock, Load, Material, NodalTemperature, NodeIndex, Numbered,
-    NumberedSet, OutputRequests, Passage, Prescribed, Section, Static, Step,
+    Controls, Dialect, Dof, ElementBlock, Load, Material, NodalTemperature, NodeIndex, Numbered,
+    NumberedSet, OutputRequests, Passage, Prescribed, Section, SpringLaw, Static, Step,
 };
 
 use super::amplitudes::amplitude;
@@ -69,7 +69,10 @@ pub(super) fn steps(draft: &mut Draft, doubted: bool) {
     };
     supports_of_all(&mut carried, draft);
     draft.large = draft.steps.iter().any(|step| step.nlgeom);
+    let mut was_alone = false;
     for step in std::mem::take(&mut draft.steps) {
+        perturbs((&step, was_alone), draft);
+        was_alone = step.perturbation.is_some();
         let before: f64 = draft.model.steps.iter().map(|step| step.procedure.period).sum();
         over_total_time(before, &mut carried, draft);
         if !draft.expand(carried.size(), step.origin) {
@@ -90,19 +93,35 @@ fn supports_of_all(carried: &mut Carried, draft: &mut Draft) {
     }
 }
 
-/// A step with PERTURBATION is linear in all: complains about what is not.
-fn perturbs(step: &StepDraft, draft: &mut Draft) {
-    let Some(span) = step.perturbation else { return };
+/// A step with PERTURBATION is linear in all, and leaves nothing to a step behind it that is not one: complains about
+/// what is otherwise.
+fn perturbs((step, was_alone): (&StepDraft, bool), draft: &mut Draft) {
+    let Some(span) = step.perturbation else {
+        if draft.dialect == Dialect::Abaqus && was_alone {
+            let message =
+                "a step behind one with PERTURBATION that has none itself is not supported";
+            let error = Diagnostic::error(Code("SL0221"), message).at(step.origin);
+            let help = "it would begin where the steps before PERTURBATION left off: give it a deck of its own";
+            draft.consequence(Subject::Steps, error.help(help));
+        }
+        return;
+    };
     let remembers = |block: &ElementBlock| match &block.section {
         Section::Solid(own) => {
             own.material.states() > 0 || matches!(own.material, Material::RambergOsgood(_))
         }
         _ => false,
     };
-    let what = match draft.model.blocks.iter().find(|block| remembers(block)) {
-        _ if !draft.model.contact_pairs.is_empty() => "contact",
-        Some(_) => "a material that yields, creeps or relaxes",
-        None => return,
+    let bends = |block: &ElementBlock| match &block.section {
+        Section::Spring(own) => !matches!(own.law, SpringLaw::Linear(_)),
+        _ => false,
+    };
+    let blocks = || draft.model.blocks.iter();
+    let what = match () {
+        () if !draft.model.contact_pairs.is_empty() => "contact",
+        () if blocks().any(remembers) => "a material that yields, creeps or relaxes",
+        () if blocks().any(bends) => "springs or gaps that are not linear",
+        () => return,
     };
     let message = format!("PERTURBATION of a model with {what} is not supported");
     let error = Diagnostic::error(Code("SL0221"), message).at(span);
@@ -167,7 +186,6 @@ fn supports(step: &StepDraft, carried: &mut Carried, draft: &mut Draft) {
 
 fn finish(step: StepDraft, carried: &mut Carried, draft: &mut Draft) -> Step {
     linear(&step, draft);
-    perturbs(&step, draft);
     // what passes time has its loads at once unless it says otherwise, in both dialects
     let passes = step.procedure.is_some_and(|own| own.passage == Passage::Passing);
     let at_once = step.at_once.unwrap_or(passes);

@@ -3,13 +3,15 @@
 use std::collections::HashMap;
 
 use slideline_diag::{Code, Diagnostic, Span};
+use slideline_model::Dialect;
 
 use crate::draft::{Body, Draft, ElementKind, Section};
 use crate::rule::Subject;
 
 /// The thickness of every section of plane solids whose nodes have one: it must be even.
 pub(super) fn of_nodes(draft: &mut Draft) {
-    if draft.thicknesses.is_empty() {
+    let asks = |own: &Section| matches!(own.body, Body::Solid { by_nodes: true, .. });
+    if draft.thicknesses.is_empty() && !draft.sections.iter().any(asks) {
         return;
     }
     let mut at: HashMap<u64, (f64, Span)> = HashMap::new();
@@ -20,8 +22,13 @@ pub(super) fn of_nodes(draft: &mut Draft) {
     }
     for place in 0..draft.sections.len() {
         let section = draft.sections[place].clone();
-        let Body::Solid { by_nodes, .. } = section.body else { continue };
-        let Some(found) = of_section(&section, &at, draft) else { continue };
+        let Body::Solid { by_nodes, thickness } = section.body else { continue };
+        let Some(found) = of_section(&section, &at, draft) else {
+            if by_nodes && thickness.is_none() {
+                none_given(&section, draft);
+            }
+            continue;
+        };
         match found {
             Ok((_, origin)) | Err(origin) if !by_nodes => without_effect(&section, origin, draft),
             Ok((thickness, _)) => {
@@ -38,6 +45,18 @@ pub(super) fn of_nodes(draft: &mut Draft) {
             }
         }
     }
+}
+
+/// A section that asks for what none of its nodes has.
+fn none_given(section: &Section, draft: &mut Draft) {
+    let message = format!("no node of the elements of {} has a thickness", section.set);
+    let help = "give it on the data line of *SOLID SECTION, and leave NODAL THICKNESS out";
+    let said = match draft.dialect {
+        // there nodes give thicknesses to shells alone
+        Dialect::Abaqus => Diagnostic::note(Code("SL0257"), message + ": it is one"),
+        Dialect::Calculix => Diagnostic::error(Code("SL0221"), message),
+    };
+    draft.consequence(Subject::Sections, said.at(section.origin).help(help));
 }
 
 /// A section takes the thickness of its nodes where it says so alone, as in CalculiX.

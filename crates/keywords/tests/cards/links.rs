@@ -241,6 +241,8 @@ fn linear_steps_and_equations_that_end() {
     assert!(codes(&deck(&two, &[]), A).is_empty());
     let behind = format!("{}{}", step(load).replace(", NLGEOM", ""), said(""));
     assert_eq!(codes(&deck(&behind, &[]), A), ["SL0221"]);
+    let general = format!("{}{}", said(""), step(load).replace(", NLGEOM", ""));
+    assert_eq!(codes(&deck(&general, &[]), A), ["SL0221"]);
     assert_eq!(codes(&deck(&two, &[]), C), ["SL0221"]);
     let yields: &[(&str, &str)] = &[("*ELASTIC", "*PLASTIC\n1e6, 0.\n*ELASTIC")];
     assert_eq!(codes(&deck(&said(""), yields), A), ["SL0221"]);

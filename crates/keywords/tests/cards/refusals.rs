@@ -265,6 +265,8 @@ fn nodes_give_a_thickness() {
     assert_eq!(thicknesses(&model(&deck(&even, bare), C)), [1.0, 1.0]);
     assert_eq!(thicknesses(&model(&deck(&even, bare), A)), [1.0, 1.0]);
     assert!(codes(&deck(&even, &[]), C).is_empty());
+    let unsaid: &[(&str, &str)] = &[("MATERIAL=M\n2.0", "MATERIAL=M, NODAL THICKNESS")];
+    assert_eq!(codes(&deck(&step("*CLOAD\n6, 1, 1.0"), unsaid), C), ["SL0221"]);
     for uneven in ["LEFT, 0.5", "LEFT, 0.5\nRIGHT, 0.7\n2, 0.5\n5, 0.5"] {
         assert_eq!(codes(&deck(&with(uneven), asking), C), ["SL0221"], "{uneven}");
     }

@@ -196,3 +196,21 @@ fn tetrahedra_hand_over_all_that_passes() {
     let both = text.rsplit("statistics for surface set BOTH").next().unwrap();
     is(&below(both, "mean normal", 2)[3..], &[0.0; 3], 1e-12);
 }
+
+/// Requirement: patches of the skin that lie side by side hand over what the whole of them does: what comes over common
+/// nodes counts once, though solids meet there through their inside. Equilibrium, 1e-6.
+#[test]
+fn patches_side_by_side_sum_to_the_whole() {
+    let deck = "*NODE\n1, 0., 0.\n2, 1., 0.\n3, 2., 0.\n4, 0., 1.\n5, 1., 1.\n6, 2., 1.\n\
+        *ELEMENT, TYPE=CPS4, ELSET=E\n1, 1, 2, 5, 4\n2, 2, 3, 6, 5\n*SOLID SECTION, ELSET=E, MATERIAL=M\n\
+        *MATERIAL, NAME=M\n*ELASTIC\n1000., 0.3\n*SURFACE, NAME=WEST\n1, S1\n*SURFACE, NAME=EAST\n2, S1\n\
+        *SURFACE, NAME=WHOLE\nE, S1\n*STEP\n*STATIC\n1., 1.\n*BOUNDARY\n1, 1, 2\n2, 1, 2\n3, 1, 2\n\
+        *CLOAD\n4, 2, -1.\n6, 2, -3.\n*SECTION PRINT, SURFACE=WEST\nSOF\n*SECTION PRINT, SURFACE=EAST\nSOF\n\
+        *SECTION PRINT, SURFACE=WHOLE\nSOF\n*END STEP\n";
+    let text = tables("patches", deck, Dialect::Abaqus);
+    let [west, east, whole] = ["WEST", "EAST", "WHOLE"].map(|name| row(&text, name));
+    // the size comes first
+    let sum: Vec<f64> = west.iter().zip(&east).skip(1).map(|(a, b)| a + b).collect();
+    assert!((whole[2].abs() - 4.0).abs() < 1e-6, "{whole:?}");
+    is(&sum, &whole[1..], 1e-6);
+}

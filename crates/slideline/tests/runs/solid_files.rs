@@ -217,6 +217,8 @@ fn vectors_along_axes_of_nodes() {
     for name in ["DISP", "FORC"] {
         let (plain, own) = (rows(", GLOBAL=YES", name), rows(", GLOBAL=NO", name));
         assert_eq!(plain, rows("", name));
+        // a card without GLOBAL has the axes of the model too
+        assert_eq!(plain, rows("\nRF\n*OUTPUT, FIELD\n*NODE OUTPUT", name));
         assert_eq!(own[..6], plain[..6]);
         for (own, [x, y, z]) in own[6..].iter().zip(&plain[6..]) {
             let expected = [*y, -x, *z];

@@ -1,8 +1,8 @@
 //! Where a point is in a cell: the place of the reference cell that maps to it.
 //!
 //! ```text
-//!   x = sum N_i(xi) X_i       Newton in xi from the middle; a point outside is taken to the nearest
-//!                             place of the reference cell, and is so far away from the cell
+//!   x = sum N_i(xi) X_i       Newton in xi from the middle; a point outside is taken to a place
+//!                             of the reference cell beside it, and is so far away from that
 //! ```
 //! docs/theory.md section 4.2.
 
@@ -98,13 +98,10 @@ fn of_simplex(cell: &Cell) -> usize {
 /// A place, or the one of the reference cell beside it.
 fn inside(cell: &Cell, mut place: [f64; 3]) -> [f64; 3] {
     let simplex = of_simplex(cell);
-    for axis in place.iter_mut().take(simplex) {
-        *axis = axis.max(0.0);
-    }
-    let sum: f64 = place[..simplex].iter().sum();
-    if sum > 1.0 {
-        place[..simplex].iter_mut().for_each(|axis| *axis /= sum);
-    }
+    // by the shares of all its corners, none of which comes first
+    let rest = 1.0 - place[..simplex].iter().sum::<f64>();
+    let sum = rest.max(0.0) + place[..simplex].iter().map(|axis| axis.max(0.0)).sum::<f64>();
+    place[..simplex].iter_mut().for_each(|axis| *axis = axis.max(0.0) / sum);
     for axis in place.iter_mut().take(cell.dimension).skip(simplex) {
         *axis = axis.clamp(-1.0, 1.0);
     }
@@ -146,5 +143,14 @@ mod tests {
         let square = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 2.0, 0.0], [0.0, 2.0, 0.0]];
         let beside = within(&QUAD4, &square, [2.5, 1.0, 0.0]).map(|found| found.distance);
         assert!(beside.is_some_and(|distance| (distance - 0.5).abs() < 1e-12), "{beside:?}");
+        // the place beside a triangle is the same whichever of its nodes comes first
+        let triangle = [[0.0, 0.0, 0.0], [2.0, 0.2, 0.0], [0.3, 1.5, 0.0]];
+        let from =
+            |first: usize| -> Vec<[f64; 3]> { (0..3).map(|k| triangle[(first + k) % 3]).collect() };
+        for point in [[1.4, 1.2, 0.0], [-0.2, 0.5, 0.0], [2.3, 0.1, 0.0]] {
+            let away = |first| within(&TRI3, &from(first), point).map(|found| found.distance);
+            let all = [0, 1, 2].map(|first| away(first).unwrap_or(f64::NAN));
+            assert!(all.iter().all(|own| (own - all[0]).abs() < 1e-12), "{all:?}");
+        }
     }
 }

@@ -20,9 +20,9 @@ const STEEP: f64 = 0.2;
 const EDGEWISE: f64 = 1e-3;
 /// Part of its own area that an overlap must have in common with a nearer one to be hidden [1].
 const HIDDEN: f64 = 0.5;
-/// Part of the thickness of the thinner part up to which a face may stand behind another one [1]: from there on the
-/// other side of that part is nearer, and what is seen through it was not gone through.
-const WITHIN: f64 = 0.5;
+/// Part of the thickness of the thinner part up to which a face may stand behind another one [1]: what is seen through
+/// a part was not gone through; a little less than all of it, for parts are squeezed.
+const WITHIN: f64 = 0.9;
 /// Part of a piece by which the areas of overlaps may exceed it before any is hidden [1].
 const ROUNDING: f64 = 1e-6;
 
@@ -116,6 +116,8 @@ impl PieceEnds {
 #[derive(Debug, Clone, Default)]
 pub struct Cover {
     seen: Vec<Seen>,
+    /// Room for what is left out.
+    left_out: Vec<bool>,
 }
 
 impl Cover {
@@ -177,6 +179,7 @@ impl Cover {
     ///     |     master      |      would face those of the master from within: not contact
     /// ```
     fn leave_out_across(&mut self, window: &Window, ends: &PieceEnds) {
+        let mut left_out = std::mem::take(&mut self.left_out);
         let went_in_elsewhere = |own: &Seen| {
             let depth = -own.gap;
             own.faces && ends.is_within(window.corners(), self.about_as_deep(own), depth) && {
@@ -184,12 +187,11 @@ impl Cover {
                 covered < (1.0 - ROUNDING) * window.area
             }
         };
-        if !self.seen.iter().any(went_in_elsewhere) {
-            return;
-        }
-        let left_out: Vec<bool> = self.seen.iter().map(went_in_elsewhere).collect();
-        let mut left_out = left_out.into_iter();
-        self.seen.retain(|_| !left_out.next().unwrap_or_default());
+        left_out.clear();
+        left_out.extend(self.seen.iter().map(went_in_elsewhere));
+        let mut own = left_out.iter();
+        self.seen.retain(|_| own.next() != Some(&true));
+        self.left_out = left_out;
     }
 
     /// What the slave faces at half the depth of an overlap and more.
