@@ -143,6 +143,13 @@ impl SlideLine {
     pub fn is_ring(&self) -> bool {
         self.nodes.len() > 2 && self.nodes.first() == self.nodes.last()
     }
+
+    /// Forgets the prolongation of what goes all round: nothing lies beyond its ends.
+    pub fn join_ends(&mut self) {
+        if self.is_ring() {
+            self.extension = 0.0;
+        }
+    }
 }
 
 /// A surface that meets itself.

@@ -12,11 +12,9 @@
 
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
-use slideline_mech::vector::{Vector, cross, dot, size, sub};
+use slideline_mech::surface::mesh::is_crease;
+use slideline_mech::vector::{Vector, cross, scale, size, sub};
 use slideline_model::{ElementBlock, ElementIndex, NodeIndex};
-
-/// Cosine of the angle up to which faces belong to one side of a body: 45 degrees.
-const SMOOTH: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 /// Nodes of a face, in ascending order.
 type Key = Vec<NodeIndex>;
@@ -85,8 +83,10 @@ impl Skin {
             .map(|(_, key)| bearing(key, position))
             .collect();
         let own = self.0.iter().filter(|(of, key)| *of == element && !cut.contains(key));
+        // either way round: the nodes of a face are in no order here
+        let joins = |a: Vector, b: Vector| !is_crease(a, b) || !is_crease(a, scale(b, -1.0));
         own.map(|(_, key)| bearing(key, position))
-            .any(|own| surface.iter().any(|other| dot(own, *other).abs() >= SMOOTH))
+            .any(|own| surface.iter().any(|other| joins(own, *other)))
     }
 }
 

@@ -94,10 +94,7 @@ fn drawn(
     };
     let (extension, origin) = (pairing.extension, surface.origin);
     let mut line = SlideLine { nodes, middles, smooth, extension, origin };
-    if line.is_ring() {
-        // nothing lies beyond the ends of what goes all round
-        line.extension = 0.0;
-    }
+    line.join_ends();
     line
 }
 

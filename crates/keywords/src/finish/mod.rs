@@ -45,6 +45,7 @@ mod orientations;
 mod own_contact;
 mod own_surface;
 mod owners;
+mod perturbation;
 mod point_masses;
 mod pre_tension;
 mod pressures;

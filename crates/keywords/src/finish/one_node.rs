@@ -170,10 +170,7 @@ fn replace(pair: &mut ContactPair, by: &HashMap<NodeIndex, NodeIndex>) {
         }
         Master::SlideLine(line) => {
             line.nodes.iter_mut().for_each(put);
-            if line.is_ring() {
-                // nothing lies beyond the ends of what goes all round
-                line.extension = 0.0;
-            }
+            line.join_ends();
         }
         Master::RigidSurface(_) | Master::Itself(_) => {}
     }

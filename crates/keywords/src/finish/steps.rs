@@ -3,8 +3,8 @@
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
-    Controls, Dialect, Dof, ElementBlock, Load, Material, NodalTemperature, NodeIndex, Numbered,
-    NumberedSet, OutputRequests, Passage, Prescribed, Section, SpringLaw, Static, Step,
+    Controls, Dof, Load, NodalTemperature, NodeIndex, Numbered, NumberedSet, OutputRequests,
+    Passage, Prescribed, Static, Step,
 };
 
 use super::amplitudes::amplitude;
@@ -14,7 +14,7 @@ use super::interferences::interferences;
 use super::model_changes::Absent;
 use super::pressures::Pressures;
 use super::standing::{Curved, InForce, Standing};
-use super::{requests, resting, temperatures};
+use super::{perturbation, requests, resting, temperatures};
 use crate::draft::{Boundary, Draft, StepDraft};
 use crate::rule::Subject;
 
@@ -71,7 +71,7 @@ pub(super) fn steps(draft: &mut Draft, doubted: bool) {
     draft.large = draft.steps.iter().any(|step| step.nlgeom);
     let mut was_alone = false;
     for step in std::mem::take(&mut draft.steps) {
-        perturbs((&step, was_alone), draft);
+        perturbation::check((&step, was_alone), draft);
         was_alone = step.perturbation.is_some();
         let before: f64 = draft.model.steps.iter().map(|step| step.procedure.period).sum();
         over_total_time(before, &mut carried, draft);
@@ -91,44 +91,6 @@ fn supports_of_all(carried: &mut Carried, draft: &mut Draft) {
     for line in draft.initial.clone() {
         prescribe(&line, &mut carried.prescribed, draft);
     }
-}
-
-/// A step with PERTURBATION is linear in all, and leaves nothing to a step behind it that is not one: complains about
-/// what is otherwise.
-fn perturbs((step, was_alone): (&StepDraft, bool), draft: &mut Draft) {
-    let Some(span) = step.perturbation else {
-        if draft.dialect == Dialect::Abaqus && was_alone {
-            let message =
-                "a step behind one with PERTURBATION that has none itself is not supported";
-            let error = Diagnostic::error(Code("SL0221"), message).at(step.origin);
-            let help = "it would begin where the steps before PERTURBATION left off: give it a deck of its own";
-            draft.consequence(Subject::Steps, error.help(help));
-        }
-        return;
-    };
-    let remembers = |block: &ElementBlock| match &block.section {
-        Section::Solid(own) => {
-            own.material.states() > 0 || matches!(own.material, Material::RambergOsgood(_))
-        }
-        _ => false,
-    };
-    let bends = |block: &ElementBlock| match &block.section {
-        Section::Spring(own) => !matches!(own.law, SpringLaw::Linear(_)),
-        _ => false,
-    };
-    let blocks = || draft.model.blocks.iter();
-    let what = match () {
-        () if !draft.model.contact_pairs.is_empty() => "contact",
-        () if blocks().any(remembers) => "a material that yields, creeps or relaxes",
-        () if blocks().any(bends) => "springs or gaps that are not linear",
-        () => return,
-    };
-    let message = format!("PERTURBATION of a model with {what} is not supported");
-    let error = Diagnostic::error(Code("SL0221"), message).at(span);
-    draft.consequence(
-        Subject::Steps,
-        error.help("leave PERTURBATION out: the step is then solved in full"),
-    );
 }
 
 /// There must be a step, and it must be closed.

@@ -244,6 +244,9 @@ fn linear_steps_and_equations_that_end() {
     let general = format!("{}{}", said(""), step(load).replace(", NLGEOM", ""));
     assert_eq!(codes(&deck(&general, &[]), A), ["SL0221"]);
     assert_eq!(codes(&deck(&two, &[]), C), ["SL0221"]);
+    let gaps =
+        "*ELEMENT, TYPE=SPRING1, ELSET=S\n9, 6\n*SPRING, ELSET=S, NONLINEAR\n1\n0., 0.\n1., 1.\n";
+    assert_eq!(codes(&deck(&format!("{gaps}{}", said("")), &[]), A), ["SL0221"]);
     let yields: &[(&str, &str)] = &[("*ELASTIC", "*PLASTIC\n1e6, 0.\n*ELASTIC")];
     assert_eq!(codes(&deck(&said(""), yields), A), ["SL0221"]);
     for ends in ["*EQUATION, REMOVE\n6, 2", "*EQUATION, REMOVE ALL"] {
@@ -272,4 +275,19 @@ fn a_body_without_a_reference_node() {
     let notes = interpret(&deck(&cards, &[]), C).diagnostics;
     let said = |text: &str| notes.iter().any(|note| note.message.contains(text));
     assert!(said("names no REF NODE"), "{notes:#?}");
+}
+
+/// Requirement: the axes of a distributing coupling are those of its reference node in the dialect of
+/// CalculiX; a node that has others by `*TRANSFORM` is refused, the same ones are not.
+#[test]
+fn a_reference_node_has_one_system_of_axes() {
+    let coupled = |transform: &str| {
+        let cards = "*NODE, NSET=REF\n9, 4.0, 0.5\n*SURFACE, NAME=SIDE\nB, S2\n*ORIENTATION, NAME=O\n\
+            0., 1., 0., -1., 0., 0.\n*COUPLING, REF NODE=9, SURFACE=SIDE, CONSTRAINT NAME=K, ORIENTATION=O\n\
+            *DISTRIBUTING\n1, 2\n";
+        let transform = format!("*TRANSFORM, NSET=REF\n{transform}\n");
+        codes(&deck(&format!("{cards}{transform}{}", step("*CLOAD\n9, 1, 1.0")), &[]), C)
+    };
+    assert_eq!(coupled("1., 1., 0., -1., 1., 0."), ["SL0349"]);
+    assert!(coupled("0., 1., 0., -1., 0., 0.").is_empty());
 }
