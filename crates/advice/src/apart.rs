@@ -32,7 +32,7 @@ pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
     for (place, pair) in start.model.contact_pairs.iter().enumerate() {
         let reach = -pair.interaction.normal.contact_begins();
         let touches = start.nearest(place).is_some_and(|row| row.opening <= reach);
-        if touches || is_one_of_many(start, pair) {
+        if touches || is_one_of_many(start, pair) || begins_inside(start, pair) {
             continue;
         }
         let Some(gap) = gap(start, pair) else { continue };
@@ -57,6 +57,12 @@ fn say(pair: &ContactPair, gap: f64, way: f64) -> Diagnostic {
 /// Whether one card makes more pairs: of general contact some are meant to stay apart.
 fn is_one_of_many(start: &Start<'_>, pair: &ContactPair) -> bool {
     start.model.contact_pairs.iter().filter(|other| other.origin == pair.origin).count() > 1
+}
+
+/// Whether the body of a slave stands in another one, or the other one in it: then the gap between faces is none.
+fn begins_inside(start: &Start<'_>, pair: &ContactPair) -> bool {
+    let own = pair.slave_places().next().map(|node| start.bodies.of_node(node));
+    start.standing_in.iter().any(|two| own.is_some_and(|own| two.bodies.contains(&own)))
 }
 
 /// Whether nothing but prescribed motions moves anything.

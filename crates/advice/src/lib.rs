@@ -13,6 +13,7 @@
 mod apart;
 mod bodies;
 mod coarse;
+mod corners;
 mod distorted;
 mod finding;
 mod idle_loads;
@@ -30,6 +31,8 @@ mod rehearsal;
 mod rigid_motion;
 mod roles;
 mod sides;
+mod solids_in_one_another;
+mod standing_in;
 mod start;
 mod stroke;
 mod time;
@@ -50,6 +53,7 @@ pub fn advise(model: &Model) -> Vec<Finding> {
         // what lies about contact is judged in the plane alone
         overclosure::judge(&start, &mut findings);
         sides::judge(&start, &mut findings);
+        solids_in_one_another::judge(&start, &mut findings);
         quadratic::judge(&start, &mut findings);
         coarse::judge(&start, &mut findings);
         distorted::judge(&start, &mut findings);
@@ -63,7 +67,7 @@ pub fn advise(model: &Model) -> Vec<Finding> {
         return findings;
     }
     rehearsal::rehearse(&mut start);
-    let parts: [fn(&start::Start<'_>, &mut Vec<Finding>); 16] = [
+    let parts: [fn(&start::Start<'_>, &mut Vec<Finding>); 17] = [
         overclosure::judge,
         roles::judge,
         overconstraint::judge,
@@ -76,6 +80,7 @@ pub fn advise(model: &Model) -> Vec<Finding> {
         idle_loads::judge,
         rigid_motion::judge,
         overlap::judge,
+        solids_in_one_another::judge,
         apart::judge,
         units::judge,
         locking::judge,

@@ -8,6 +8,7 @@
 use crate::bodies::Bodies;
 use crate::moments::Rehearsal;
 use crate::motion::in_plane;
+use crate::standing_in::{StandingIn, standing_in};
 use slideline_model::{
     ContactPair, Dof, Master, MasterFaces, Model, NodeIndex, Prescribed, Presence, ProfilePoint,
     Step, SurfaceSegment,
@@ -27,16 +28,20 @@ pub struct Start<'a> {
     /// Every pair walked through the prescribed motions; `None` where these
     /// do not determine it.
     pub rehearsals: Vec<Option<Rehearsal>>,
+    /// Bodies of solids that begin in one another.
+    pub standing_in: Vec<StandingIn>,
 }
 
 impl<'a> Start<'a> {
     /// That of a model.
     pub fn of(model: &'a Model) -> Self {
+        let (bodies, reach) = (Bodies::of(model, &Presence::default()), reach(model));
         Self {
             model,
-            bodies: Bodies::of(model, &Presence::default()),
+            standing_in: standing_in(model, &bodies, reach),
+            bodies,
             points: slideline_solve::initial_contact(model),
-            reach: reach(model),
+            reach,
             rehearsals: Vec::new(),
         }
     }

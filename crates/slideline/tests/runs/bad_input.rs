@@ -70,11 +70,13 @@ const WEIGHT: &str = "*DLOAD\nALL, GRAV, 9.81, 0.0, -1.0, 0.0\n";
 const NO_CURVE: &str = "*CLOAD, AMPLITUDE=NO\nRIGHT, 1, 1.0\n";
 
 /// Faults that are said and may run.
-const WARNINGS: [Fault; 7] = [
+const WARNINGS: [Fault; 9] = [
     ("a middle node past the quarter", quadratic, |deck| slide(deck, 0.15), "SL0345"),
     ("nothing holds it", all, |deck| set(&mut deck.support, "LEFT, 3, 3, 0.0\n"), "SL0409"),
     ("held one way", |own| !own.is_ring(), |deck| hold_one_way(deck), "SL0409"),
     ("cells that were not merged", all, split, "SL0410"),
+    ("a cell twice", all, |deck| deck.elements.push(deck.elements[0].clone()), "SL0411"),
+    ("a block in a block", all, copy, "SL0411"),
     ("a moment on solids", all, |deck| set(&mut deck.load, "*CLOAD\nRIGHT, 6, 1.0\n"), "SL0427"),
     ("steel in tonnes and metres", all, heavy, "SL0413"),
     ("rubber that gives way", all, |deck| rubber(deck, "1.0, -0.6, 0.01"), "SL0420"),
@@ -154,6 +156,16 @@ fn split(deck: &mut Deck) {
             *node = new;
         }
     }
+}
+
+/// A second block a little beside the first one, which nothing joins to it.
+fn copy(deck: &mut Deck) {
+    let count = deck.nodes.len();
+    let moved: Vec<_> = deck.nodes.iter().map(|&[x, y, z]| [x + 0.37, y, z]).collect();
+    deck.nodes.extend(moved);
+    let of = |nodes: &Vec<usize>| nodes.iter().map(|node| node + count).collect();
+    let second: Vec<Vec<usize>> = deck.elements.iter().map(of).collect();
+    deck.elements.extend(second);
 }
 
 /// Requirement: the blocks that faults are put into are sound.

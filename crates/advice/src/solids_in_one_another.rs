@@ -1,0 +1,66 @@
+//! Solids that are there twice, or begin in one another and no contact sees it.
+
+use crate::corners::corners;
+use crate::finding::Finding;
+use crate::standing_in::{StandingIn, present};
+use crate::start::Start;
+use slideline_diag::{Code, Diagnostic, Span};
+use slideline_model::{Model, NodeIndex};
+use slideline_solve::observe::ContactRow;
+use std::collections::HashMap;
+
+/// Overclosure that counts, in sizes of the model [1].
+const OVERCLOSED: f64 = 1e-9;
+
+/// SL0411: solids that are there twice, and bodies that stand in one another where no contact sees it.
+pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
+    findings.extend(twice(start.model));
+    for own in &start.standing_in {
+        let is_seen = |row: &ContactRow| {
+            row.opening < -OVERCLOSED * start.reach
+                && own.bodies.contains(&start.bodies.of_node(row.node))
+        };
+        if !start.points.iter().any(is_seen) {
+            findings.push(Finding::said(say(own, start.model)));
+        }
+    }
+}
+
+fn say(own: &StandingIn, model: &Model) -> Diagnostic {
+    let message = format!(
+        "solid {} stands in solid {} of another body: the bodies begin in one another, no contact sees \
+         it, and they pass through one another",
+        own.inner.0, own.outer
+    );
+    let said = match model.contact_pairs.is_empty() {
+        true => Diagnostic::advice(Code("SL0411"), message),
+        false => Diagnostic::warning(Code("SL0411"), message),
+    };
+    said.at(own.inner.1).help(
+        "is one part in the wrong place or in another unit? Move it in *NODE or *INSTANCE, so that the \
+         parts only touch or overlap by what is meant; what is one part should be joined by *TIE",
+    )
+}
+
+/// SL0411: a solid on the same corners as another one.
+fn twice(model: &Model) -> Option<Finding> {
+    let mut known: HashMap<Vec<NodeIndex>, u64> = HashMap::new();
+    let mut found: Option<(u64, u64, Span)> = None;
+    let mut count = 0;
+    for (block, element) in present(model) {
+        let corners = corners(block.kind.cell.dimension, block.kind.cell.nodes)?.len();
+        let mut nodes = element.nodes[..corners].to_vec();
+        nodes.sort_unstable();
+        if let Some(first) = known.insert(nodes, element.label) {
+            count += 1;
+            found.get_or_insert((first, element.label, element.origin));
+        }
+    }
+    let (first, second, origin) = found?;
+    let more = if count > 1 { format!(" (and {} more)", count - 1) } else { String::new() };
+    let message = format!(
+        "solids {first} and {second} have the same corners{more}: their stiffness counts twice"
+    );
+    let said = Diagnostic::warning(Code("SL0411"), message).at(origin);
+    Some(Finding::said(said.help("remove one of them from *ELEMENT")))
+}

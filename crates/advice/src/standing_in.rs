@@ -1,0 +1,133 @@
+//! Solids that stand in one another before anything moves.
+//!
+//! ```text
+//!      +-----+-----+
+//!      |   +-|---+ |       points of each solid, a little inside of its corners, that are in a solid
+//!      |   |.| . | |       of another body: what merely touches has none, and what overlaps by less
+//!      +---|-+---|-+       than a part of an element has none either; there contact says more
+//!          +-----+
+//! ```
+
+use crate::bodies::Bodies;
+use crate::corners::corners;
+use slideline_diag::Span;
+use slideline_mech::contact::search::tree::{Bounds, BoxTree};
+use slideline_mech::element::cell::{Cell, within};
+use slideline_model::{Element, ElementBlock, ElementIndex, Kinematics, Model, NodeIndex};
+use std::collections::{BTreeMap, HashSet};
+
+/// Part of the way from a corner to the middle of its element at which the element is looked at [1]: off all
+/// nodes, edges and faces of a mesh of the same grid.
+const INWARDS: f64 = 0.29;
+/// Distance from a cell at which a point is inside, in sizes of the model [1].
+const UPON: f64 = 1e-9;
+
+/// Solids of a body that stand in those of another one.
+#[derive(Debug, Clone, Copy)]
+pub struct StandingIn {
+    /// Nodes that stand for the bodies, the lower one first.
+    pub bodies: [NodeIndex; 2],
+    /// Number and card of one of them.
+    pub inner: (u64, Span),
+    /// The number of one that it stands in.
+    pub outer: u64,
+}
+
+/// A solid where it starts.
+struct Solid {
+    body: NodeIndex,
+    label: u64,
+    origin: Span,
+    cell: &'static Cell,
+    places: Vec<[f64; 3]>,
+}
+
+/// Solids of bodies that stand in others before anything moves, each two bodies once.
+pub fn standing_in(model: &Model, bodies: &Bodies, reach: f64) -> Vec<StandingIn> {
+    let solids = solids(model, bodies);
+    let several = solids.iter().any(|own| own.body != solids[0].body);
+    if !several {
+        return Vec::new();
+    }
+    let mut of_bodies: BTreeMap<NodeIndex, Bounds<3>> = BTreeMap::new();
+    for own in &solids {
+        let about = own.bounds();
+        let all = of_bodies.entry(own.body).or_insert(about);
+        *all = joined(*all, about);
+    }
+    let tree = BoxTree::<3>::new(solids.len(), |place| solids[place].bounds());
+    let mut found: BTreeMap<[NodeIndex; 2], StandingIn> = BTreeMap::new();
+    for own in &solids {
+        let is_near = |(&body, with): (&NodeIndex, &Bounds<3>)| {
+            body != own.body && overlap(with, &own.bounds())
+        };
+        if !of_bodies.iter().any(is_near) {
+            continue;
+        }
+        for point in own.points() {
+            tree.within(point, 0.0, |place| {
+                let other = &solids[place];
+                if other.body != own.body && other.holds(point, UPON * reach) {
+                    let bodies = [own.body.min(other.body), own.body.max(other.body)];
+                    let inner = (own.label, own.origin);
+                    found.entry(bodies).or_insert(StandingIn { bodies, inner, outer: other.label });
+                }
+            });
+        }
+    }
+    found.into_values().collect()
+}
+
+fn solids(model: &Model, bodies: &Bodies) -> Vec<Solid> {
+    present(model)
+        .map(|(block, element)| Solid {
+            body: bodies.of_node(element.nodes[0]),
+            label: element.label,
+            origin: element.origin,
+            cell: block.kind.cell,
+            places: element.nodes.iter().map(|&node| model.nodes.position(node)).collect(),
+        })
+        .collect()
+}
+
+/// Solids that no step takes away.
+pub fn present(model: &Model) -> impl Iterator<Item = (&ElementBlock, Element<'_>)> {
+    let gone: HashSet<ElementIndex> =
+        model.steps.iter().flat_map(|step| &step.presence.absent).copied().collect();
+    let solid = |block: &ElementBlock| matches!(block.kind.kinematics, Kinematics::Solid { .. });
+    let blocks = model.blocks.iter().enumerate().filter(move |(_, block)| solid(block));
+    let all = blocks.flat_map(|(place, block)| {
+        block.elements.iter().enumerate().map(move |(member, own)| ((place, member), block, own))
+    });
+    all.filter(move |(index, ..)| !gone.contains(index)).map(|(_, block, own)| (block, own))
+}
+
+impl Solid {
+    fn bounds(&self) -> Bounds<3> {
+        let all = self.places.iter().map(|&at| (at, at));
+        all.reduce(joined).unwrap_or(([0.0; 3], [0.0; 3]))
+    }
+
+    /// Points a little inside of its corners [L].
+    fn points(&self) -> impl Iterator<Item = [f64; 3]> {
+        let count = corners(self.cell.dimension, self.cell.nodes).map_or(0, <[_]>::len);
+        let corners = &self.places[..count];
+        let mean = |k: usize| corners.iter().map(|at| at[k]).sum::<f64>() / count as f64;
+        let middle: [f64; 3] = std::array::from_fn(mean);
+        corners.iter().map(move |at| std::array::from_fn(|k| at[k] + INWARDS * (middle[k] - at[k])))
+    }
+
+    /// Whether a point is in it, to within a distance [L].
+    fn holds(&self, point: [f64; 3], near: f64) -> bool {
+        within(self.cell, &self.places, point).is_some_and(|own| own.distance <= near)
+    }
+}
+
+fn joined(a: Bounds<3>, b: Bounds<3>) -> Bounds<3> {
+    let of = |k: usize| (a.0[k].min(b.0[k]), a.1[k].max(b.1[k]));
+    (std::array::from_fn(|k| of(k).0), std::array::from_fn(|k| of(k).1))
+}
+
+fn overlap(a: &Bounds<3>, b: &Bounds<3>) -> bool {
+    (0..3).all(|k| a.0[k] <= b.1[k] && b.0[k] <= a.1[k])
+}
