@@ -20,6 +20,7 @@ use super::tangential::{Tangential, TangentialMap};
 mod body;
 mod chain;
 mod edges;
+mod ends_within;
 mod faces;
 pub mod mortar;
 pub mod mortar_faces;

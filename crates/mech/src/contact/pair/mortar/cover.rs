@@ -6,6 +6,7 @@
 //!   o--+--+---+----o--o
 //! ```
 
+use super::super::ends_within::counts;
 use super::curve::{Curve, Place, cross, dot, sub};
 use super::face::{MortarFace, field};
 use super::integrals::{Bound, MERGING, Segment, across};
@@ -124,7 +125,7 @@ impl Cover {
                 last.bounds[1] = bounds[1];
             }
             _ => {
-                self.segments.push(Segment { curve, bounds });
+                self.segments.push(Segment { curve, bounds, counts: 1.0 });
                 self.gaps.push(gap / dot(normal, normal).sqrt());
             }
         }
@@ -141,7 +142,8 @@ impl Cover {
     }
 
     /// Leaves out what begins at a corner of the slave and is deeper than it is wide: the corner went
-    /// in through another side of the master than the one that it faces from inside.
+    /// in through another side of the master than the one that it faces from inside. From as deep as wide on it
+    /// counts less and less.
     ///
     /// ```text
     ///         |  slave  |
@@ -157,9 +159,12 @@ impl Cover {
             let all = self.segments.len();
             let run = if end == 0 { 0..count } else { all - count..all };
             let depth = self.gaps[run.clone()].iter().fold(0.0, |depth: f64, gap| depth.max(-gap));
-            if covered < 1.0 - SAME && depth > covered * length {
+            let by = if covered < 1.0 - SAME { counts(depth, covered * length) } else { 1.0 };
+            if by == 0.0 {
                 self.segments.drain(run.clone());
                 self.gaps.drain(run);
+            } else {
+                self.segments[run].iter_mut().for_each(|segment| segment.counts *= by);
             }
         }
     }

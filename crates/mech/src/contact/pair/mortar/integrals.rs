@@ -54,6 +54,8 @@ pub struct Segment {
     pub curve: usize,
     /// Where it begins and ends.
     pub bounds: [Bound; 2],
+    /// How much of its integrals counts [1]: one, but where it goes over into what is left out.
+    pub counts: f64,
 }
 
 /// A node of a face and the nodes whose shape functions weight its gap: its own, and those of nodes
@@ -189,7 +191,7 @@ impl<R: Real> Integrals<R> {
             self.stations.push(Station {
                 segment: place,
                 fraction,
-                weight,
+                weight: segment.counts * weight,
                 slave: own,
                 measure: face.reference.measure(t),
                 t,

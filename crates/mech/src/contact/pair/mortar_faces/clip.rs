@@ -52,6 +52,8 @@ pub struct Overlap {
     pub master: usize,
     /// Its piece.
     pub master_piece: usize,
+    /// How much of its integrals counts [1]: one, but where it goes over into what is left out.
+    pub counts: f64,
     corners: [Corner; MOST],
     count: usize,
 }
@@ -229,7 +231,7 @@ impl Window {
             (corners[k], places[k]) = (vertex.corner, vertex.at);
         }
         let left = Polygon { places, count };
-        let overlap = Overlap { piece, master, master_piece, corners, count };
+        let overlap = Overlap { piece, master, master_piece, counts: 1.0, corners, count };
         (left.area() > LEAST * self.area).then_some((overlap, left))
     }
 

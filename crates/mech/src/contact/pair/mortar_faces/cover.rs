@@ -6,6 +6,7 @@
 //!   o--+--+--+--o       the nearest part than the piece is long is left out
 //! ```
 
+use super::super::ends_within::counts;
 use super::clip::{Overlap, Polygon, Window};
 use super::ends::FaceEnds;
 use super::face_places::FacePlaces;
@@ -87,28 +88,34 @@ impl PieceEnds {
         Self { edges: of(&is_end), corners: of(&|k| ends.nodes[nodes[k]]) }
     }
 
-    /// Whether polygons reach less than a way [L] from one of the ends of a piece with these corners.
-    fn is_within<'a>(
+    /// How far from one of the ends of a piece with these corners polygons reach at most, the end that they are
+    /// nearest to [L]; infinite without ends.
+    fn reach<'a>(
         &self,
         corners: &[[f64; 2]],
         polygons: impl Iterator<Item = &'a Polygon> + Clone,
-        way: f64,
-    ) -> bool {
-        let all = |is_near: &dyn Fn([f64; 2]) -> bool| {
-            polygons.clone().flat_map(|own| own.places()).all(|&at| is_near(at))
+    ) -> f64 {
+        let farthest = |from_end: &dyn Fn([f64; 2]) -> f64| {
+            let all = polygons.clone().flat_map(|own| own.places());
+            all.map(|&at| from_end(at)).fold(0.0, f64::max)
         };
-        way > 0.0
-            && (0..corners.len()).any(|k| {
-                let from = corners[k];
-                let along = flat_sub(corners[(k + 1) % corners.len()], from);
-                let length = along[0].hypot(along[1]);
-                let by_edge = |at| flat_cross(along, flat_sub(at, from)) < way * length;
+        let mut least = f64::INFINITY;
+        for (k, &from) in corners.iter().enumerate() {
+            let along = flat_sub(corners[(k + 1) % corners.len()], from);
+            let length = along[0].hypot(along[1]);
+            if self.edges[k] {
+                let by_edge = |at| flat_cross(along, flat_sub(at, from)) / length;
+                least = farthest(&by_edge).min(least);
+            }
+            if self.corners[k] {
                 let by_corner = |at| {
                     let [x, y] = flat_sub(at, from);
-                    x.hypot(y) < way
+                    x.hypot(y)
                 };
-                (self.edges[k] && all(&by_edge)) || (self.corners[k] && all(&by_corner))
-            })
+                least = farthest(&by_corner).min(least);
+            }
+        }
+        least
     }
 }
 
@@ -116,8 +123,8 @@ impl PieceEnds {
 #[derive(Debug, Clone, Default)]
 pub struct Cover {
     seen: Vec<Seen>,
-    /// Room for what is left out.
-    left_out: Vec<bool>,
+    /// Room for how much each of them counts [1].
+    counts: Vec<f64>,
 }
 
 impl Cover {
@@ -171,7 +178,8 @@ impl Cover {
     }
 
     /// Leaves out what lies along an end of the slave and is deeper than it is wide, with all that is about as deep:
-    /// the end went in through another side of the master than the one that it faces from inside.
+    /// the end went in through another side of the master than the one that it faces from inside. From as deep as
+    /// wide on it counts less and less.
     ///
     /// ```text
     ///         |  slave  |
@@ -179,19 +187,25 @@ impl Cover {
     ///     |     master      |      would face those of the master from within: not contact
     /// ```
     fn leave_out_across(&mut self, window: &Window, ends: &PieceEnds) {
-        let mut left_out = std::mem::take(&mut self.left_out);
-        let went_in_elsewhere = |own: &Seen| {
+        let mut all = std::mem::take(&mut self.counts);
+        let of = |own: &Seen| {
             let depth = -own.gap;
-            own.faces && ends.is_within(window.corners(), self.about_as_deep(own), depth) && {
-                let covered: f64 = self.about_as_deep(own).map(Polygon::area).sum();
-                covered < (1.0 - ROUNDING) * window.area
+            if !own.faces || depth <= 0.0 {
+                return 1.0;
             }
+            let by = counts(depth, ends.reach(window.corners(), self.about_as_deep(own)));
+            if by == 1.0 {
+                return by;
+            }
+            let covered: f64 = self.about_as_deep(own).map(Polygon::area).sum();
+            let is_whole = covered >= (1.0 - ROUNDING) * window.area;
+            if is_whole { 1.0 } else { by }
         };
-        left_out.clear();
-        left_out.extend(self.seen.iter().map(went_in_elsewhere));
-        let mut own = left_out.iter();
-        self.seen.retain(|_| own.next() != Some(&true));
-        self.left_out = left_out;
+        all.clear();
+        all.extend(self.seen.iter().map(of));
+        self.seen.iter_mut().zip(&all).for_each(|(own, &by)| own.overlap.counts = by);
+        self.seen.retain(|own| own.overlap.counts > 0.0);
+        self.counts = all;
     }
 
     /// What the slave faces at half the depth of an overlap and more.

@@ -296,6 +296,7 @@ impl<R: Real> Couple<'_, R> {
                 let Some(station) = self.station(here, placed.plane.normal) else {
                     return false;
                 };
+                let weight = overlap.counts * weight;
                 call(&Station { triangle, fractions, weight, twice, ..station });
             }
         }

@@ -41,7 +41,7 @@ fn an_end_that_went_in_elsewhere_meets_nothing() {
     // one edge is an end: y = -1
     let mut ends = FaceEnds::default();
     (ends.edges[0], ends.nodes[0], ends.nodes[1]) = (true, true, true);
-    let covered = |ends: &FaceEnds, cells: usize, depth: f64, [from, to]: [f64; 2]| {
+    let found = |ends: &FaceEnds, cells: usize, depth: f64, [from, to]: [f64; 2]| {
         let place = |mut own: FacePlaces<f64>| {
             for node in &mut own.nodes[..own.count] {
                 node[1] = from + 0.5 * (1.0 + node[1]) * (to - from);
@@ -57,8 +57,19 @@ fn an_end_that_went_in_elsewhere_meets_nothing() {
         let masters: Vec<Faced> = paved(4, cells, -depth, true).into_iter().map(place).collect();
         let mut overlaps = Vec::new();
         Cover::default().find(looking(&slave, ends), &masters, &mut overlaps);
-        overlaps.len()
+        overlaps
     };
+    let covered = |ends: &FaceEnds, cells: usize, depth: f64, across: [f64; 2]| {
+        found(ends, cells, depth, across).len()
+    };
+    // from as deep as wide, 0.4, to twice that it counts less and less, without a leap
+    let counts = |step: i32| {
+        let depth = 0.3 + 0.001 * f64::from(step);
+        found(&ends, 1, depth, [-2.0, -0.6]).first().map_or(0.0, |own| own.counts)
+    };
+    let all: Vec<f64> = (0..=600).map(counts).collect();
+    assert!(all[..100].iter().all(|&own| own == 1.0) && all[501..].iter().all(|&own| own == 0.0));
+    assert!(all.windows(2).all(|two| (two[0] - two[1]).abs() < 0.005));
     for cells in [1, 3] {
         let all = cells * cells;
         assert_eq!(covered(&ends, cells, 0.5, [-2.0, -0.9]), 0);
