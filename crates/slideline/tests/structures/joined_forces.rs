@@ -13,7 +13,7 @@ const MOVES: [Dof; 3] = [Dof::U1, Dof::U2, Dof::U3];
 
 /// Displacements and what is carried, of all nodes at the end, by label.
 #[derive(Default)]
-struct End(HashMap<u64, [[f64; 3]; 2]>);
+pub struct End(pub HashMap<u64, [[f64; 3]; 2]>);
 
 impl Observer for End {
     fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
@@ -38,8 +38,17 @@ fn run(joined: &str, history: &str, dialect: Dialect) -> End {
          *SOLID SECTION, ELSET=E, MATERIAL=M\n*NSET, NSET=TOP\n5, 6, 7, 8\n\
          *BOUNDARY\n1, 1, 3\n2, 1, 3\n3, 1, 3\n4, 1, 3\n{joined}*STEP\n*STATIC\n{history}*END STEP\n"
     );
+    solved_in(&deck, dialect)
+}
+
+/// The end of a deck of the dialect of Abaqus.
+pub fn solved(deck: &str) -> End {
+    solved_in(deck, Dialect::Abaqus)
+}
+
+fn solved_in(deck: &str, dialect: Dialect) -> End {
     let options = ReadOptions { dialect: Some(dialect), ..ReadOptions::default() };
-    let job = Job::read_text("cube", &deck, &options);
+    let job = Job::read_text("deck", deck, &options);
     let model = job.model.unwrap_or_else(|| panic!("{:?}", job.diagnostics));
     let mut end = End::default();
     let outcome = solve(&model, &SolveOptions::default(), &mut end);
