@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
 use crate::joined_forces::{End, solved};
+use slideline::{Job, ReadOptions};
 
 /// Two bricks above one another with a gap between, the upper one further along and coarser than its
 /// master, in axes that are turned.
@@ -96,4 +97,18 @@ fn a_force_across_the_gap_has_its_moment_at_the_supports() {
         }
         assert!(sum.as_flattened().iter().all(|left| left.abs() < 1e-6), "{kind}: {sum:?}");
     }
+}
+
+/// Requirement: what bridges a gap and may turn far is in doubt.
+#[test]
+fn wide_gaps_in_large_steps_are_in_doubt() {
+    let deck = include_str!("../../../../corpus/advice/SL0430-tied-across-a-gap-mm.inp");
+    let codes = |deck: &str| -> Vec<&'static str> {
+        let job = Job::read_text("gap", deck, &ReadOptions::default());
+        assert!(job.model.is_some());
+        job.diagnostics.iter().map(|said| said.code.0).collect()
+    };
+    assert!(codes(deck).contains(&"SL0430"));
+    assert!(!codes(&deck.replace(", NLGEOM", "")).contains(&"SL0430"));
+    assert!(!codes(&deck.replace(", ADJUST=NO", "")).contains(&"SL0430"));
 }
