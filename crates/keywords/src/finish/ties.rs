@@ -35,7 +35,7 @@ use means::{Means, Shares, means, misplaced};
 const MISPLACED: f64 = 0.01;
 
 pub(super) fn ties(draft: &mut Draft) {
-    let ties = std::mem::take(&mut draft.ties);
+    let ties = draft.ties.clone(); // requests ask for those of pairs
     if ties.is_empty() {
         return;
     }
