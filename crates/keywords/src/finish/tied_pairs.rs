@@ -2,8 +2,8 @@
 
 use slideline_diag::{Code, Diagnostic};
 use slideline_model::{
-    ContactPrint, ContactVariable, Formulation, Friction, Interaction, NormalLaw, SectionPrint,
-    SectionVariable,
+    ContactPrint, ContactVariable, Formulation, Friction, Interaction, NormalLaw, Request,
+    SectionPrint, SectionVariable,
 };
 
 use super::faces::faces;
@@ -95,7 +95,9 @@ pub(super) fn across_ties(asked: &[ContactPrint], draft: &mut Draft) -> Vec<(Sec
             };
             draft.log.note("SL0253", message, print.request.origin);
             if of_faces && !variables.is_empty() {
-                let (request, variables) = (print.request.clone(), variables.clone());
+                let set = tie.slave.name.clone();
+                let request = Request { set, ..print.request.clone() };
+                let variables = variables.clone();
                 let (faces, shares) = (Vec::new(), Vec::new());
                 let section =
                     SectionPrint { request, name, is_tied: true, faces, shares, variables };
