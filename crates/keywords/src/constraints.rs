@@ -140,6 +140,8 @@ pub(crate) struct Tie {
     pub adjust: bool,
     /// Whether faces are tied to faces; else each slave node to the place nearest to it.
     pub by_faces: bool,
+    /// Whether it is a contact pair that is tied.
+    pub is_pair: bool,
     pub origin: Span,
 }
 

@@ -19,6 +19,7 @@ pub mod axes;
 pub mod contact;
 pub mod differentiate;
 pub mod element;
+pub mod face_turn;
 pub mod first_order;
 pub mod kept_shape;
 pub mod material;

@@ -243,7 +243,7 @@ impl Face {
     }
 
     /// Shape functions and slopes at coordinates of the face.
-    fn at(&self, [a, b]: [f64; 2]) -> At {
+    pub(crate) fn at(&self, [a, b]: [f64; 2]) -> At {
         match self {
             Self::Edge { nodes, .. } | Self::Ring { nodes } => edge_at(*nodes, a, 1.0),
             Self::Area(cell, _) => area_at(cell, &[a, b, 0.0], 1.0),

@@ -12,6 +12,8 @@ pub struct SectionPrint {
     pub request: Request,
     /// Its own name.
     pub name: String,
+    /// Whether a request for contact of surfaces that are tied asked for it.
+    pub is_tied: bool,
     /// The faces of the surface.
     pub faces: Vec<SectionFace>,
     /// The elements behind them, each once.

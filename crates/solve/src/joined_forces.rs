@@ -11,9 +11,10 @@ use crate::problem::Problem;
 use crate::state::State;
 use slideline_mech::contact::tangential::Tangential;
 
-/// Reaction and load of every dof of a state that was just committed, but at the dofs of elements
-/// that equations and rigid bodies join to others the force of their own elements and contact
-/// [F or F L]; nothing where the dialect does not ask for it or nothing is joined.
+/// Reaction and load of every dof of a state that was just committed, but at dofs that equations and
+/// rigid bodies join to others the force of their own elements and contact, where no element has them
+/// the reaction alone, and at the nodes of bodies the loads of all that follows too [F or F L]; nothing
+/// where the dialect does not ask for it or nothing is joined.
 pub fn joined_forces(plan: &Problem<'_>, state: &State, work: &Scratch, into: &mut Vec<f64>) {
     into.clear();
     let joined = &plan.constraints.joined;
@@ -33,12 +34,18 @@ pub fn joined_forces(plan: &Problem<'_>, state: &State, work: &Scratch, into: &m
     for &dof in joined {
         let (node, _) = plan.dofs.name(dof);
         if plan.dofs.place_of_turned(node).is_none() {
-            if has_element[dof] {
-                into[dof] = own[dof];
-            }
+            into[dof] = if has_element[dof] { own[dof] } else { state.reaction[dof] };
         } else if plan.dofs.of_node(node).any(|dof| has_element[dof]) {
             plan.dofs.named_of_node(node).for_each(|dof| into[dof] = 0.0);
             plan.dofs.of_node(node).for_each(|dof| into[dof] = own[dof]);
+        } else {
+            let all = plan.dofs.named_of_node(node).chain(plan.dofs.of_node(node));
+            all.for_each(|dof| into[dof] = state.reaction[dof]);
         }
+    }
+    let mut carried = state.load.clone();
+    plan.constraints.carry(&evaluation.rows, &mut carried);
+    for &dof in &plan.constraints.of_bodies {
+        into[dof] += carried[dof] - state.load[dof];
     }
 }

@@ -53,7 +53,8 @@ impl Keyword for SectionPrint {
             let (request, variables) = (asked.request, asked.variables);
             let name = card.name("NAME").unwrap_or_else(|| surface.name.clone());
             let (faces, shares) = (Vec::new(), Vec::new());
-            step.section_prints.push((Print { request, name, faces, shares, variables }, surface));
+            let print = Print { request, name, is_tied: false, faces, shares, variables };
+            step.section_prints.push((print, surface));
         }
     }
 }

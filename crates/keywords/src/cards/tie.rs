@@ -69,7 +69,16 @@ impl Keyword for Tie {
                 continue;
             };
             let origin = line.span;
-            draft.ties.push(Draught { slave, master, tolerance, adjust, by_faces, origin });
+            let is_pair = false;
+            draft.ties.push(Draught {
+                slave,
+                master,
+                tolerance,
+                adjust,
+                by_faces,
+                is_pair,
+                origin,
+            });
         }
     }
 }

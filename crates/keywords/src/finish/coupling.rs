@@ -55,7 +55,7 @@ pub(super) fn axes_of_references(draft: &mut Draft) {
                 two_systems(node, *span, draft);
                 continue;
             }
-            None => {}
+            None => in_equations(node, *span, draft),
         }
         let system = System::Rectangular(axes);
         super::axes::give(vec![node], system, *span, draft);
@@ -70,6 +70,27 @@ fn two_systems(node: NodeIndex, span: Span, draft: &mut Draft) {
     let error = Diagnostic::error(Code("SL0349"), message).at(span);
     let help = "give both the same axes, or leave out *TRANSFORM of that node or ORIENTATION of the coupling";
     draft.consequence(Subject::Nodes, error.help(help));
+}
+
+/// Equations that name a reference node mean axes that the coupling has not: nothing says which.
+fn in_equations(node: NodeIndex, span: Span, draft: &mut Draft) {
+    let terms = draft.equations.iter().flat_map(|own| &own.terms);
+    let terms: Vec<(Target, Span)> = terms.map(|term| (term.node.clone(), term.span)).collect();
+    for (target, at) in terms {
+        if !draft.nodes_of(&target, at).contains(&node) {
+            continue;
+        }
+        let name = draft.model.nodes.name(node);
+        let message = format!(
+            "the reference node {name} has the axes of its coupling, and an equation names it: along which axes \
+             is not said"
+        );
+        let error = Diagnostic::error(Code("SL0349"), message).at(at);
+        let error = error.label(span, "the axes of the coupling");
+        let help = "leave out ORIENTATION, or give the node these axes by *TRANSFORM, which equations follow";
+        draft.consequence(Subject::Nodes, error.help(help));
+        return;
+    }
 }
 
 /// Couples the nodes of a coupling with its reference node.

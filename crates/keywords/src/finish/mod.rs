@@ -110,6 +110,7 @@ pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     one_node::in_contact(draft);
     temperatures::initial(draft);
     temperatures::without_expansion(draft);
+    temperatures::out_of_plane(draft);
     steps::steps(draft, steps_doubted);
     renumber(&mut draft.model);
     draft.model.find_edges();

@@ -133,8 +133,9 @@ impl Absent {
 
     /// SL0382: contact of nodes whose elements are all absent.
     fn without_ground(&self, presence: &Presence, draft: &mut Draft) {
-        let Some(origin) = self.origin.filter(|_| !presence.absent.is_empty()) else { return };
-        let bare = bare_nodes(presence, draft);
+        let Some(origin) = self.origin.filter(|_| !self.elements.is_empty()) else { return };
+        let mut bare = bare_nodes(presence, draft);
+        bare.extend(self.bare_bodies(draft));
         let pairs: Vec<ContactPair> = draft.model.contact_pairs.clone();
         for (place, pair) in pairs.iter().enumerate().filter(|(own, _)| presence.has_pair(*own)) {
             let mut nodes = pair.slave_places().chain(pair.master.deforming_nodes());
@@ -153,6 +154,28 @@ impl Absent {
                 draft.consequence(Subject::Contact, error);
             }
         }
+    }
+
+    /// Nodes of absent elements that are a part of a rigid body each, and that no element has that is
+    /// there: they move with the body, but nothing of it is there.
+    fn bare_bodies(&self, draft: &Draft) -> HashSet<NodeIndex> {
+        let links = draft.model.rigid_links.iter();
+        let body: HashMap<NodeIndex, NodeIndex> =
+            links.map(|link| (link.dependent, link.master)).collect();
+        let nodes = |own: usize| draft.elements[own].nodes().iter();
+        let found = |own: usize| nodes(own).filter_map(|&label| draft.model.nodes.find(label));
+        let is_rigid = |own: &usize| {
+            let mut bodies = found(*own).map(|node| body.get(&node));
+            let first = bodies.next().flatten();
+            first.is_some() && bodies.all(|other| other == first)
+        };
+        let absent = self.elements.keys().copied();
+        let mut bare: HashSet<NodeIndex> = absent.filter(is_rigid).flat_map(found).collect();
+        if !bare.is_empty() {
+            let there = (0..draft.elements.len()).filter(|own| !self.contains(*own));
+            there.flat_map(found).for_each(|node| _ = bare.remove(&node));
+        }
+        bare
     }
 
     /// SL0383: loads on nodes whose elements are all absent.
@@ -221,7 +244,9 @@ fn elements(target: &Target, span: Span, draft: &mut Draft) -> (Vec<usize>, Vec<
     let kind = |own: &usize| draft.elements[*own].kind;
     let contact = found.iter().filter(|own| kind(own).is_contact());
     let contact = contact.map(|own| draft.elements[*own].label).collect();
-    let own = found.into_iter().filter(|own| matches!(kind(own), ElementKind::Structural(_)));
+    let solid =
+        |own: &usize| matches!(kind(own), ElementKind::Structural(_) | ElementKind::Bare(_));
+    let own = found.into_iter().filter(solid);
     (own.collect(), contact)
 }
 

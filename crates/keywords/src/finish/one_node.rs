@@ -87,12 +87,18 @@ fn leaders(draft: &Draft) -> HashMap<NodeIndex, NodeIndex> {
     let dependents: HashSet<NodeIndex> = dependents.map(|(node, _)| *node).collect();
     let next: HashMap<_, _> =
         dependents.into_iter().filter_map(|node| Some((node, leader(node)?))).collect();
-    // who follows himself by way of others is no leader: that is an error, said elsewhere
+    // who follows himself by way of others is no leader: that is an error, said elsewhere; but where a
+    // body holds both sides of ties of two ways, one of the ring leads all
+    let follower =
+        |node: NodeIndex| std::iter::successors(Some(node), |node| next.get(node).copied());
     let last = |node: NodeIndex| {
-        let chain = std::iter::successors(Some(node), |node| next.get(node).copied());
-        chain.take(next.len() + 1).last().unwrap_or(node)
+        let last = follower(node).take(next.len() + 1).last().unwrap_or(node);
+        match next.contains_key(&last) {
+            true => follower(last).take(next.len()).min().unwrap_or(last),
+            false => last,
+        }
     };
-    next.keys().map(|&node| (node, last(node))).collect()
+    next.keys().map(|&node| (node, last(node))).filter(|(node, last)| node != last).collect()
 }
 
 /// What a dof follows, where dofs that are held alike are one: a mean beside a supported node has what

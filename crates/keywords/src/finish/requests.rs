@@ -7,6 +7,7 @@
 //! ```
 
 use super::section_prints::with_faces;
+use super::tied_pairs::{across_ties, wants_tied};
 use crate::draft::{Draft, StepDraft};
 use crate::rule::Subject;
 use slideline_diag::{Code, Diagnostic, Span};
@@ -42,9 +43,16 @@ pub(super) fn renew(standing: &mut OutputRequests, step: &StepDraft, draft: &mut
         without_pair(&print, draft);
         print
     });
-    replace(&mut standing.contact_prints, asked.collect(), |print| &print.request);
+    let asked: Vec<ContactPrint> = asked.collect();
+    let ties = with_faces(&across_ties(&asked, draft), draft);
+    let (mut tied, mut sections): (Vec<_>, Vec<_>) =
+        std::mem::take(&mut standing.section_prints).into_iter().partition(|print| print.is_tied);
+    tied.retain(|old| asked.iter().all(|new| new.request.target != old.request.target));
+    replace(&mut standing.contact_prints, asked, |print| &print.request);
     let asked = with_faces(&step.section_prints, draft);
-    replace(&mut standing.section_prints, asked, |print| &print.request);
+    replace(&mut sections, asked, |print| &print.request);
+    sections.extend(tied.into_iter().chain(ties));
+    standing.section_prints = sections;
     if !step.states_every.is_empty() {
         standing.states_every.clone_from(&step.states_every);
     }
@@ -54,6 +62,7 @@ pub(super) fn renew(standing: &mut OutputRequests, step: &StepDraft, draft: &mut
 fn without_pair(print: &ContactPrint, draft: &mut Draft) {
     if draft.model.contact_pairs.iter().any(|pair| print.wants(pair))
         || print.surfaces.iter().all(String::is_empty)
+        || wants_tied(print, draft)
     {
         return;
     }

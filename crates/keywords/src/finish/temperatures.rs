@@ -1,6 +1,6 @@
 //! Temperatures of nodes: what lines mean for each node, before the first step and in it.
 
-use slideline_diag::{Code, Diagnostic};
+use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{NodalTemperature, NodeIndex, Temperature};
 
 use super::standing::InForce;
@@ -29,6 +29,22 @@ pub(super) fn without_expansion(draft: &mut Draft) {
     let message = "temperatures cause no strain here: no material expands";
     let note = Diagnostic::note(Code("SL0253"), message).at(span);
     draft.log.push(note.help("give the material its *EXPANSION, or leave *TEMPERATURE out"));
+}
+
+/// Says that coefficients which shear out of the plane strain nothing in models of it.
+pub(super) fn out_of_plane(draft: &mut Draft) {
+    if draft.model.is_in_space() {
+        return;
+    }
+    let own = draft.materials.iter().filter_map(|material| material.expansion.as_ref());
+    let shears = own.filter(|(own, _)| {
+        own.iter().flat_map(|own| &own.table).any(|(_, row)| row[4] != 0.0 || row[5] != 0.0)
+    });
+    let cards: Vec<Span> = shears.map(|(_, (_, card))| *card).collect();
+    for card in cards {
+        let message = "a13 and a23 have no effect here: they shear out of the plane";
+        draft.log.note("SL0257", message, card);
+    }
 }
 
 /// Puts a line of a step, with its amplitude, into force.

@@ -6,6 +6,7 @@
 //!   o----x-------o  master face     at the place x nearest to it
 //! ```
 
+mod arms;
 mod bodies;
 mod master;
 mod means;
@@ -25,6 +26,7 @@ use crate::constraints::Tie;
 use crate::draft::Draft;
 use crate::rule::Subject;
 use crate::surfaces::{Extent, NamedSurface};
+use arms::{arm_terms, join, judge_arms};
 use bodies::Bodies;
 use master::Master;
 use means::{Means, Shares, means, misplaced};
@@ -33,7 +35,7 @@ use means::{Means, Shares, means, misplaced};
 const MISPLACED: f64 = 0.01;
 
 pub(super) fn ties(draft: &mut Draft) {
-    let ties = std::mem::take(&mut draft.ties);
+    let ties = draft.ties.clone(); // requests ask for those of pairs
     if ties.is_empty() {
         return;
     }
@@ -136,6 +138,8 @@ fn one(
     if !tie.by_faces && !slaves.is_empty() {
         judge_nodes(tie, &slaves, (&masters, &near), draft);
     }
+    let gaps = near.iter().map(|own| (own.near.distance, masters[own.master].size));
+    judge_arms(tie, gaps, draft);
     if tie.adjust {
         adjust(&near, &means, draft);
     }
@@ -304,14 +308,16 @@ fn follow(
     let node = own.node;
     let directions = draft.model.directions();
     let nearest = nearest_shares(own, masters);
-    let terms = |dof: Dof| -> Vec<_> {
+    let row = |dof: Dof| {
         let axis = directions.iter().position(|own| *own == dof).unwrap_or_default();
-        let row = means.get(axis).and_then(|means| means.get(&node)).unwrap_or(&nearest);
-        let shares = row.iter().filter(|(_, share)| share.abs() > 1e-12);
+        (axis, means.get(axis).and_then(|means| means.get(&node)).unwrap_or(&nearest))
+    };
+    let terms = |dof: Dof| -> Vec<_> {
+        let shares = row(dof).1.iter().filter(|(_, share)| share.abs() > 1e-12);
         shares.map(|&(own, share)| (own, dof, share)).collect()
     };
     for &dof in directions.iter().filter(|dof| !dof.is_rotation()) {
-        let terms = draft.followed((node, dof), terms);
+        let mut terms = draft.followed((node, dof), terms);
         let held = |&(own, dof, _): &(NodeIndex, Dof, f64)| prescribed.contains(&(own, dof));
         if prescribed.contains(&(node, dof)) && terms.iter().all(held) {
             let is_implied = supports.is_implied((node, dof), &terms);
@@ -326,6 +332,9 @@ fn follow(
                 continue;
             }
             draft.implied.insert((node, dof));
+        } else {
+            let arm = |dof: Dof| arm_terms((node, row(dof)), &masters[own.master], draft);
+            join(&mut terms, draft.followed((node, dof), arm));
         }
         add(draft, (node, dof), terms, tie.origin);
     }

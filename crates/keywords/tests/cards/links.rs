@@ -285,9 +285,18 @@ fn a_reference_node_has_one_system_of_axes() {
         let cards = "*NODE, NSET=REF\n9, 4.0, 0.5\n*SURFACE, NAME=SIDE\nB, S2\n*ORIENTATION, NAME=O\n\
             0., 1., 0., -1., 0., 0.\n*COUPLING, REF NODE=9, SURFACE=SIDE, CONSTRAINT NAME=K, ORIENTATION=O\n\
             *DISTRIBUTING\n1, 2\n";
-        let transform = format!("*TRANSFORM, NSET=REF\n{transform}\n");
+        let transform = match transform.strip_prefix("**") {
+            Some(other) => format!("{other}\n"),
+            None => format!("*TRANSFORM, NSET=REF\n{transform}\n"),
+        };
         codes(&deck(&format!("{cards}{transform}{}", step("*CLOAD\n9, 1, 1.0")), &[]), C)
     };
     assert_eq!(coupled("1., 1., 0., -1., 1., 0."), ["SL0349"]);
     assert!(coupled("0., 1., 0., -1., 0., 0.").is_empty());
+    // equations follow *TRANSFORM alone
+    let equation =
+        "0., 1., 0., -1., 0., 0.\n*NODE\n10, 5.0, 0.5\n*EQUATION\n2\n10, 1, 1., 9, 1, -1.";
+    assert!(coupled(equation).is_empty());
+    let bare = equation.split_once("\n").unwrap().1;
+    assert_eq!(coupled(&format!("**\n{bare}")), ["SL0349"]);
 }

@@ -239,6 +239,11 @@ fn what_each_dialect_says_alone() {
     let (sheared, plain) = ("1e-5, 2e-5, 3e-5, 1e-6, 0., 0.", "1e-5, 2e-5, 3e-5, 0., 0., 0., 20.");
     assert!(codes(&expands(sheared), C).is_empty() && codes(&expands(plain), A).is_empty());
     assert_eq!(codes(&expands(sheared), A), ["SL0221"]);
+    let told = |row: &str| {
+        let said = interpret(&expands(row), C).diagnostics;
+        said.iter().any(|own| own.message.contains("a13 and a23"))
+    };
+    assert!(told("1e-5, 2e-5, 3e-5, 0., 0., 1e-6") && !told(sheared));
     let initial =
         format!("*INITIAL CONDITIONS, TYPE=DISPLACEMENT\n6, 1, 0.1\n{}", step("*CLOAD\n6, 1, 1."));
     assert!(codes(&deck(&initial, &[]), C).is_empty());

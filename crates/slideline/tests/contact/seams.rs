@@ -285,6 +285,34 @@ fn a_rigid_body_may_hold_both_sides_of_a_tie() {
     }
 }
 
+/// Requirement: where a rigid body holds all of both halves, a tie each way says nothing new, and a seam is none.
+/// Neither node led the other, and the seam was an edge. Tolerance: what iterations leave.
+#[test]
+fn ties_of_two_ways_on_a_body_leave_one_node() {
+    let solved = |cut_low: bool, joint: Joint| {
+        let block = if cut_low { 0 } else { 1 };
+        let body = format!(
+            "*NODE, NSET=REF\n9999, 0.3, 2.0\n*RIGID BODY, REF NODE=9999, ELSET=E{block}\n*MATERIAL"
+        );
+        let case = Case { in_space: false, over_faces: false, cut_low, law: "" };
+        let held = deck(case, joint).replacen("*MATERIAL", &body, 1);
+        let held = held.replace("\nRIGHT, LEFT\n", "\nRIGHT, LEFT\nLEFT, RIGHT\n");
+        let turn = "REF, 6, 6\n";
+        run(&held
+            .replace(&format!("HELD{block}, 1, 2\n"), &format!("REF, 1, 2\n{turn}"))
+            .replace("HELD1, ", if cut_low { "HELD1, " } else { "REF, " }))
+    };
+    for cut_low in [false, true] {
+        let whole = solved(cut_low, Joint::Merged);
+        let own = solved(cut_low, Joint::Tie);
+        let most = whole.all.iter().flatten().fold(0.0_f64, |most, f| most.max(f.abs()));
+        assert_eq!(own.rows, whole.rows);
+        for (a, b) in own.all.iter().flatten().zip(whole.all.iter().flatten()) {
+            assert!((a - b).abs() < 1e-7 * most, "{cut_low} {a} {b}");
+        }
+    }
+}
+
 /// Requirement: the two ends of a face that follow one another stay two nodes of it, as slave and as master:
 /// blocks with E = 1000 and nu = 0, pressed by d, carry N = E A d/2 all the same. The face was taken for one node,
 /// and carried nothing or fell away. Tolerance: rounding.

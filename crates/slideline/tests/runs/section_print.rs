@@ -214,3 +214,26 @@ fn patches_side_by_side_sum_to_the_whole() {
     assert!((whole[2].abs() - 4.0).abs() < 1e-6, "{whole:?}");
     is(&sum, &whole[1..], 1e-6);
 }
+
+/// Requirement: what passes between surfaces of a tied pair is printed where contact is asked for, by either name,
+/// and a request for a section of an earlier step stays. It printed an empty table, or no such pair.
+#[test]
+fn tied_pairs_print_what_passes() {
+    let deck = |names: &str, first: &str| {
+        format!(
+            "*NODE, NSET=ALL\n1, 0., 0.\n2, 1., 0.\n3, 1., 1.\n4, 0., 1.\n5, 0., 1.\n6, 1., 1.\n7, 1., 2.\n\
+             8, 0., 2.\n*ELEMENT, TYPE=CPS4, ELSET=E\n1, 1, 2, 3, 4\n2, 5, 6, 7, 8\n*SOLID SECTION, ELSET=E, \
+             MATERIAL=M\n1.\n*MATERIAL, NAME=M\n*ELASTIC\n1000., 0.3\n*SURFACE, NAME=LOW\n1, S3\n\
+             *SURFACE, NAME=UP\n2, S1\n*SURFACE INTERACTION, NAME=I\n1.\n*CONTACT PAIR, INTERACTION=I, TIED\n\
+             UP, LOW\n*STEP\n*STATIC\n*BOUNDARY\n1, 1, 2\n2, 1, 2\n*CLOAD\n7, 1, 3.\n8, 2, 5.\n{first}*END STEP\n\
+             *STEP\n*STATIC\n*CONTACT PRINT{names}\nCFN, CFT, CMT, CAREA, CSTRESS\n*END STEP\n"
+        )
+    };
+    for names in ["", ", SLAVE=UP, MASTER=LOW"] {
+        let section = "*SECTION PRINT, SURFACE=LOW\nSOF1\n";
+        let text = tables("tied", &deck(names, section), Dialect::Abaqus);
+        is(&row(&text, "UP/LOW"), &[34.0_f64.sqrt(), -3.0, -5.0, 6.0, 1.0], 1e-6);
+        let (_, last) = text.split_once("STEP 2  INCREMENT").unwrap();
+        is(&row(last, "LOW"), &[34.0_f64.sqrt(), 3.0, 5.0], 1e-6);
+    }
+}

@@ -13,7 +13,7 @@ const MOVES: [Dof; 3] = [Dof::U1, Dof::U2, Dof::U3];
 
 /// Displacements and what is carried, of all nodes at the end, by label.
 #[derive(Default)]
-struct End(HashMap<u64, [[f64; 3]; 2]>);
+pub struct End(pub HashMap<u64, [[f64; 3]; 2]>);
 
 impl Observer for End {
     fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
@@ -38,8 +38,17 @@ fn run(joined: &str, history: &str, dialect: Dialect) -> End {
          *SOLID SECTION, ELSET=E, MATERIAL=M\n*NSET, NSET=TOP\n5, 6, 7, 8\n\
          *BOUNDARY\n1, 1, 3\n2, 1, 3\n3, 1, 3\n4, 1, 3\n{joined}*STEP\n*STATIC\n{history}*END STEP\n"
     );
+    solved_in(&deck, dialect)
+}
+
+/// The end of a deck of the dialect of Abaqus.
+pub fn solved(deck: &str) -> End {
+    solved_in(deck, Dialect::Abaqus)
+}
+
+fn solved_in(deck: &str, dialect: Dialect) -> End {
     let options = ReadOptions { dialect: Some(dialect), ..ReadOptions::default() };
-    let job = Job::read_text("cube", &deck, &options);
+    let job = Job::read_text("deck", deck, &options);
     let model = job.model.unwrap_or_else(|| panic!("{:?}", job.diagnostics));
     let mut end = End::default();
     let outcome = solve(&model, &SolveOptions::default(), &mut end);
@@ -127,4 +136,36 @@ fn bodies_in_the_plane_turn_linearly_without_nlgeom() {
     let (s, c) = 0.5_f64.sin_cos();
     let exact = [0.25 - 3.0 * (c - 1.0) + 5.0 * s, 0.25 - 5.0 * (c - 1.0) - 3.0 * s, 0.0];
     assert_near(end(", NLGEOM"), exact, 1e-12);
+}
+
+/// Of nodes without elements that equations join ccx 2.20 shows no load; what supports do stays shown.
+#[test]
+fn references_of_couplings_show_no_load_of_their_own() {
+    let surface = "*SURFACE, NAME=S\n1, S2\n*ORIENTATION, NAME=O\n.6, .8, 0., -.8, .6, 0.\n";
+    let coupling = "*COUPLING, CONSTRAINT NAME=C, REF NODE=9, SURFACE=S, ORIENTATION=O\n";
+    let turned = "*NSET, NSET=R\n9\n*TRANSFORM, NSET=R, TYPE=R\n.6, .8, 0., -.8, .6, 0.\n";
+    // along the axes of the node (.6, .8) and (-.8, .6)
+    let loads = "*CLOAD\n9, 1, 5.\n9, 2, -10.\n9, 3, 1.\n";
+    let (kinematic, distributing) = ("*KINEMATIC\n1, 1\n3, 3\n", "*DISTRIBUTING\n1, 3\n");
+    for (kind, held) in [(distributing, ""), (distributing, "9, 2, 3\n"), (kinematic, "9, 2, 2\n")]
+    {
+        let joined = format!("{surface}{coupling}{kind}{turned}");
+        let end = run(&joined, &format!("*BOUNDARY\n{held}{loads}"), Dialect::Calculix);
+        let supports = (1..=4).map(|node| end.0[&node][1]);
+        let sum = supports.fold([11.0, -2.0, 1.0], |sum, own| [0, 1, 2].map(|k| sum[k] + own[k]));
+        assert_near(end.0[&9][1], sum.map(|own| -own), 1e-9);
+        if held.is_empty() {
+            assert_near(sum, [0.0; 3], 1e-9);
+        }
+    }
+}
+
+/// The node of a body shows what the body carries, with the loads of all that follows it.
+#[test]
+fn a_body_shows_the_loads_of_what_follows_it() {
+    let joined = "*RIGID BODY, NSET=TOP, REF NODE=9, ROT NODE=10\n";
+    let history = "*BOUNDARY\n9, 1, 1, .01\n*CLOAD\n9, 1, 5.\n9, 2, 2.\n6, 1, 1.\n";
+    let end = run(joined, history, Dialect::Calculix);
+    let supports: f64 = (1..=4).map(|node| end.0[&node][1][0]).sum();
+    assert_near(end.0[&9][1], [-supports, 2.0, 0.0], 1e-9);
 }

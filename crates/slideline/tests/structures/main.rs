@@ -33,3 +33,4 @@ mod stabilisation;
 mod temperatures;
 mod tractions;
 mod transform;
+mod wide_ties;

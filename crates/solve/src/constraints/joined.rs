@@ -2,11 +2,11 @@
 
 use super::linear::{LinearConstraint, Source};
 use super::rigid::RigidLink;
-use std::collections::HashSet;
+use std::collections::BTreeSet;
 
-/// Dofs that equations name and that follow rigid bodies; not those of the bodies, which stand for
-/// all that follows them.
-pub fn joined(linear: &[LinearConstraint], rigid: &[RigidLink]) -> Vec<usize> {
+/// Dofs that equations name and that follow rigid bodies, without those of the bodies, which stand for
+/// all that follows them; and these.
+pub fn joined(linear: &[LinearConstraint], rigid: &[RigidLink]) -> [Vec<usize>; 2] {
     let said = linear.iter().filter(|own| matches!(own.source, Source::Said(_)));
     let said = said.flat_map(|own| {
         own.terms.iter().map(|&(dof, _)| dof).chain(std::iter::once(own.dependent))
@@ -15,6 +15,7 @@ pub fn joined(linear: &[LinearConstraint], rigid: &[RigidLink]) -> Vec<usize> {
     let bodies = rigid
         .iter()
         .flat_map(|link| (0..6).flat_map(|component| link.followed(component)).flatten());
-    let bodies: HashSet<usize> = bodies.collect();
-    said.chain(follows).filter(|dof| !bodies.contains(dof)).collect()
+    let bodies: BTreeSet<usize> = bodies.collect();
+    let joined = said.chain(follows).filter(|dof| !bodies.contains(dof)).collect();
+    [joined, bodies.into_iter().collect()]
 }

@@ -39,6 +39,8 @@ pub struct ConstraintNumbering {
     /// Dofs, along the axes in which the deck names them, that equations name and that follow rigid
     /// bodies; none where the dialect does not ask for them.
     pub joined: Vec<usize>,
+    /// Dofs of the nodes that rigid bodies follow, asked for as those.
+    pub of_bodies: Vec<usize>,
     /// Nodes of the shapes of the model, shape by shape.
     pub(super) shape_nodes: Vec<NodeIndex>,
     /// Dependent dof of every row.
@@ -67,6 +69,7 @@ impl ConstraintNumbering {
             leading,
             turned: dofs.turned().to_vec(),
             joined: Vec::new(),
+            of_bodies: Vec::new(),
             shape_nodes: model.shapes.iter().flat_map(|own| own.nodes.iter().copied()).collect(),
             dependent_dofs: Vec::new(),
             led: Vec::new(),
@@ -96,7 +99,7 @@ impl ConstraintNumbering {
         new.number_unknowns();
         new.led = new.dependents().collect();
         if model.dialect == Dialect::Calculix {
-            new.joined = joined(&new.linear, &new.rigid);
+            [new.joined, new.of_bodies] = joined(&new.linear, &new.rigid);
         }
         new
     }

@@ -13,10 +13,10 @@ use crate::draft::Draft;
 
 /// Fraction of the size of a master face within which slave nodes are tied, where the card gives no
 /// tolerance. [Abaqus manual, `*TIE`]
-const TOLERANCE: f64 = 0.05;
+pub(super) const TOLERANCE: f64 = 0.05;
 
 /// The same of what touches: a tolerance of zero ties it, though rounding leaves a distance.
-const TOUCHING: f64 = 1e-6;
+pub(super) const TOUCHING: f64 = 1e-6;
 
 /// A face of the master with its nodes and the box around it [L].
 pub(super) struct Master {
