@@ -10,6 +10,7 @@
 //! [`crate::linearised`] and [`crate::evaluate`].
 
 mod before;
+mod beyond;
 mod behind;
 mod between;
 mod candidates;
@@ -30,6 +31,7 @@ mod kinematics;
 mod laws;
 mod left_out;
 mod master;
+mod mirrors;
 mod mortar;
 mod mortar_faces;
 mod near_line;
@@ -41,6 +43,7 @@ mod positions;
 mod prepare;
 mod presence;
 mod profiles;
+mod reflected;
 mod search;
 mod segment;
 mod shear;

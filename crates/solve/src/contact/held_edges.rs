@@ -54,7 +54,7 @@ impl Contact {
         self.offsets.push(pair.offset);
         self.spacing.push(self.spacing[of]);
         let master =
-            MasterSurface::of((model, dofs), &edges.met, (self.chain_nodes, self.spacing[of]));
+            MasterSurface::of((model, dofs), (&edges.met, None), (self.chain_nodes, self.spacing[of]));
         self.chain_nodes += master.nodes().len();
         self.masters.push(master);
         self.add_faces_of_edges(model, dofs, edges);

@@ -57,6 +57,7 @@ impl Chain {
             Some(tree) => self.nearest_by_tree(positions, tree, point)?,
             None => nearest_node(positions, point)?,
         };
+        let nearest = self.met(nearest);
         let around = nearest.saturating_sub(1)..(nearest + 2).min(self.segments());
         for index in around.clone() {
             self.consider(positions, point, index, &mut best);
@@ -162,6 +163,9 @@ impl Chain {
         index: usize,
         best: &mut Option<Candidate>,
     ) {
+        if !self.is_met(index) {
+            return;
+        }
         for candidate in self.candidates(positions, point, index).into_iter().flatten() {
             if better(&candidate, best.as_ref()) {
                 *best = Some(candidate);
