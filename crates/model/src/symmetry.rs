@@ -45,6 +45,8 @@ struct Held<'a> {
     model: &'a Model,
     /// Unit vectors, each node's across one another [1].
     directions: HashMap<NodeIndex, Vec<Vector>>,
+    /// The same of those in which they move as they are told, or not at all.
+    told: HashMap<NodeIndex, Vec<Vector>>,
     /// Nodes of elements, each once.
     nodes: Vec<NodeIndex>,
     /// Length of the box about these [L].
@@ -55,7 +57,7 @@ impl Model {
     /// The planes of symmetry in which some of these nodes lie, the axis of rings among them.
     pub fn symmetry_planes(&self, nodes: &[NodeIndex]) -> Vec<SymmetryPlane> {
         let held = Held::new(self);
-        let mut known: Vec<(Vector, [f64; 2])> = Vec::new();
+        let mut known: Vec<(Vector, (f64, f64))> = Vec::new();
         let mut tested: Vec<SymmetryPlane> = Vec::new();
         for &node in nodes {
             for normal in held.candidates(node) {
@@ -64,8 +66,8 @@ impl Model {
                     known.push((normal, held.reach(normal)));
                     known.len() - 1
                 });
-                let (normal, ends) = known[place];
-                for level in ends {
+                let (normal, (low, high)) = known[place];
+                for level in [low, high] {
                     let plane = SymmetryPlane { normal, level, room: held.room() };
                     if plane.holds(self.nodes.position(node)) && !tested.contains(&plane) {
                         tested.push(plane);
@@ -90,7 +92,9 @@ impl<'a> Held<'a> {
             all.fold(f64::NEG_INFINITY, f64::max) - low
         };
         let size = if nodes.is_empty() { 0.0 } else { size([0, 1, 2].map(bounds)) };
-        Self { model, directions: directions(model), nodes, size }
+        let still = |own: &Prescribed| own.value == 0.0 || own.fixed;
+        let (held, told) = (directions(model, still), directions(model, |_| true));
+        Self { model, directions: held, told, nodes, size }
     }
 
     fn room(&self) -> f64 {
@@ -98,10 +102,10 @@ impl<'a> Held<'a> {
     }
 
     /// Between which levels along a normal the elements lie [L].
-    fn reach(&self, normal: Vector) -> [f64; 2] {
+    fn reach(&self, normal: Vector) -> (f64, f64) {
         let levels = self.nodes.iter().map(|&node| dot(normal, self.model.nodes.position(node)));
         let low = levels.clone().fold(f64::INFINITY, f64::min);
-        [low, levels.fold(f64::NEG_INFINITY, f64::max)]
+        (low, levels.fold(f64::NEG_INFINITY, f64::max))
     }
 
     /// Normals that a plane of symmetry through a node may have.
@@ -127,11 +131,13 @@ impl<'a> Held<'a> {
         let is_held = |node: &NodeIndex| is_axis || self.holds(*node, plane.normal);
         let dimension = if self.model.is_in_space() { 3 } else { 2 };
         let is_free = |node: &NodeIndex| {
-            self.directions.get(node).is_none_or(|directions| directions.len() < dimension)
+            self.told.get(node).is_none_or(|directions| directions.len() < dimension)
         };
         let ends = || {
             let mut elements = parts(self.model).flat_map(|own| own.elements.iter());
-            elements.any(|own| own.nodes.iter().filter(|&node| inside.contains(node)).count() >= dimension)
+            elements.any(|own| {
+                own.nodes.iter().filter(|&node| inside.contains(node)).count() >= dimension
+            })
         };
         inside.iter().all(is_held) && (is_axis || inside.iter().any(is_free)) && ends()
     }
@@ -156,8 +162,11 @@ fn parts(model: &Model) -> impl Iterator<Item = &ElementBlock> {
     model.blocks.iter().filter(|block| block.kind.joins())
 }
 
-/// The directions in which nodes are held at zero in every step.
-fn directions(model: &Model) -> HashMap<NodeIndex, Vec<Vector>> {
+/// The directions in which nodes are held in every step, by supports like these.
+fn directions(
+    model: &Model,
+    counts: impl Fn(&Prescribed) -> bool,
+) -> HashMap<NodeIndex, Vec<Vector>> {
     let mut axes: HashMap<NodeIndex, Axes> = HashMap::new();
     for own in &model.transforms {
         let at = |node: NodeIndex| own.system.at(model.nodes.position(node));
@@ -168,7 +177,7 @@ fn directions(model: &Model) -> HashMap<NodeIndex, Vec<Vector>> {
         None => std::array::from_fn(|axis| f64::from(axis == dof as usize)),
     };
     let mut found: HashMap<NodeIndex, Vec<Vector>> = HashMap::new();
-    let held = held(model);
+    let held = held(model, counts);
     for &(node, dof) in &held {
         add(found.entry(node).or_default(), along(node, dof));
     }
@@ -203,18 +212,18 @@ fn add(directions: &mut Vec<Vector>, new: Vector) {
     }
 }
 
-/// Displacements that are held at zero in every step, in the order of the deck, and those that follow such ones.
-fn held(model: &Model) -> Vec<(NodeIndex, Dof)> {
+/// Displacements that are held in every step, in the order of the deck, and those that follow such ones.
+fn held(model: &Model, counts: impl Fn(&Prescribed) -> bool) -> Vec<(NodeIndex, Dof)> {
     let Some(first) = model.steps.first() else { return Vec::new() };
     let of = |own: &Prescribed| (own.node, own.dof);
     let mut known: Option<HashSet<(NodeIndex, Dof)>> = None;
     for step in &model.steps {
-        let is_still = |own: &&Prescribed| own.value == 0.0 || own.fixed;
-        let own: HashSet<_> = step.prescribed.iter().filter(is_still).map(of).collect();
+        let own = step.prescribed.iter().filter(|own| counts(own)).map(of).collect::<HashSet<_>>();
         known = Some(known.map_or(own.clone(), |known| &known & &own));
     }
     let mut known = known.unwrap_or_default();
-    let mut all: Vec<_> = first.prescribed.iter().map(of).filter(|own| known.contains(own)).collect();
+    let mut all: Vec<_> =
+        first.prescribed.iter().map(of).filter(|own| known.contains(own)).collect();
     all.retain(|(_, dof)| !dof.is_rotation());
     loop {
         let follows = model.linear_constraints.iter().filter(|own| {
@@ -223,7 +232,8 @@ fn held(model: &Model) -> Vec<(NodeIndex, Dof)> {
                 && !own.dependent.1.is_rotation()
                 && terms.all(|&(node, dof, _)| known.contains(&(node, dof)))
         });
-        let new: Vec<_> = follows.map(|own| own.dependent).filter(|own| !known.contains(own)).collect();
+        let new: Vec<_> =
+            follows.map(|own| own.dependent).filter(|own| !known.contains(own)).collect();
         if new.is_empty() {
             return all;
         }

@@ -10,10 +10,11 @@
 //! [`crate::linearised`] and [`crate::evaluate`].
 
 mod before;
-mod beyond;
 mod behind;
 mod between;
+mod beyond;
 mod candidates;
+mod chains;
 mod cliques;
 mod coverage;
 mod crossing;

@@ -113,3 +113,6 @@ impl Reflected {
 pub fn across(vector: Vector, directions: &[Vector]) -> Vector {
     directions.iter().fold(vector, |left, own| sub(left, scale(*own, dot(left, *own))))
 }
+
+#[cfg(test)]
+mod tests;

@@ -44,8 +44,7 @@ impl Smoothing {
             (&all.faces[..], neighbours(&all.faces), faces_around(&all.faces));
         let place = |node: usize| all.positions[node];
         let normals: Vec<_> = faces.iter().map(|face| normal(face, place)).collect();
-        let joints =
-            Joints { faces, neighbours: &neighbours, around: &around, normals: &normals };
+        let joints = Joints { faces, neighbours: &neighbours, around: &around, normals: &normals };
         let mut drawn = joints.drawn(place);
         let joins = |own: usize, edge: usize, other: usize| {
             !is_crease(normals[own], normals[other]) && !drawn[own][edge]
@@ -64,10 +63,7 @@ impl Smoothing {
 fn rounds(
     all: &Reflected,
     own: usize,
-    (around, neighbours): (
-        &HashMap<usize, Vec<(usize, usize)>>,
-        &[[Option<usize>; MOST_CORNERS]],
-    ),
+    (around, neighbours): (&HashMap<usize, Vec<(usize, usize)>>, &[[Option<usize>; MOST_CORNERS]]),
     joins: impl Fn(usize, usize, usize) -> bool,
 ) -> Vec<Round> {
     let faces = &all.faces;

@@ -147,7 +147,9 @@ impl Contact {
             }
             MasterSurface::Line { chain, nodes, beyond, .. } => {
                 let positions = |u: &[f64]| {
-                    let nodes = nodes[beyond.own(nodes.len())].iter().map(|(at, dofs)| dofs.displace(*at, u));
+                    let nodes = nodes[beyond.own(nodes.len())]
+                        .iter()
+                        .map(|(at, dofs)| dofs.displace(*at, u));
                     chain.prolonged(nodes.collect())
                 };
                 let (before, after) = (positions(from), positions(to));

@@ -1,6 +1,7 @@
 //! Masters, ready to be searched.
 
-use super::beyond::{Beyond, ChainNode};
+use super::beyond::Beyond;
+use super::chains::{continued, listed_nodes, own_parts};
 use super::facing::Facing;
 use super::mirrors::mirrors;
 use super::positions::MasterPositions;
@@ -12,14 +13,16 @@ use slideline_mech::contact::pair::{
     AnyGap, Body, RigidSurface, chain_attachments, chain_gap, chain_overclosure,
 };
 use slideline_mech::contact::search::chain::{Chain, Piece};
-use slideline_mech::contact::search::itself::{Itself, Placed, Run, listed};
+use slideline_mech::contact::search::itself::{Itself, Placed};
 use slideline_mech::contact::search::outlook::Outlook;
 use slideline_mech::contact::search::own_faces::OwnFaces;
 use slideline_mech::contact::search::sharp;
 use slideline_mech::contact::search::through::CONTROLS;
 use slideline_mech::rigid::Attachment;
 use slideline_mech::surface::mesh::{FaceMesh, MeshFace};
-use slideline_model::{Master, MasterFaces, Model, NodeIndex, OwnSurface, SlideLine, SurfaceRun, SymmetryPlane};
+use slideline_model::{
+    Master, MasterFaces, Model, NodeIndex, OwnSurface, SlideLine, SymmetryPlane,
+};
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -370,18 +373,6 @@ impl MasterSurface {
     }
 }
 
-/// The nodes of a line with those that continue it, where something may.
-pub(super) fn continued(
-    (model, dofs): (&Model, &DofMap),
-    (line, planes): (&SlideLine, Option<&[SymmetryPlane]>),
-) -> (Vec<ChainNode>, Beyond) {
-    let at = |node: NodeIndex| (model.nodes.get(node).position, dofs.translations(node));
-    let mut nodes: Vec<_> = line.nodes.iter().map(|&node| at(node)).collect();
-    let beyond =
-        planes.map(|planes| Beyond::continued(&mut nodes, line.is_ring(), planes));
-    (nodes, beyond.unwrap_or_default())
-}
-
 /// The surface of a pair that meets itself where it stands.
 fn placed_itself<'a>(
     (chain, range): (&'a Chain, Range<usize>),
@@ -389,27 +380,6 @@ fn placed_itself<'a>(
 ) -> Option<Placed<'a>> {
     let (positions, tree) = (positions.nodes.get(range)?, positions.tree(pair)?);
     Some(Placed { chain, positions, tree })
-}
-
-/// The nodes of a surface that meets itself in the order of its list.
-pub(super) fn listed_nodes(surface: &OwnSurface) -> Vec<NodeIndex> {
-    let nodes: Vec<NodeIndex> = surface.nodes().collect();
-    listed(&runs(surface)).into_iter().map(|number| nodes[number]).collect()
-}
-
-fn runs(surface: &OwnSurface) -> Vec<Run> {
-    let run = |own: &SurfaceRun| Run { nodes: own.nodes.len(), is_closed: own.is_closed };
-    surface.runs.iter().map(run).collect()
-}
-
-/// Its parts and its chain at the undeformed positions of a model.
-pub(super) fn own_parts(
-    model: &Model,
-    surface: &OwnSurface,
-    list: &[NodeIndex],
-) -> Option<(Itself, Chain)> {
-    let reference: Vec<_> = list.iter().map(|&node| model.nodes.get(node).position).collect();
-    Itself::new(&runs(surface), &reference, (surface.smooth, surface.extension))
 }
 
 /// The box about places.

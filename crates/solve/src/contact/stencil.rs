@@ -108,7 +108,8 @@ impl<'a> Stencil<'a> {
 
     /// Where the dofs of a node of the master stand, behind a place; those that do not are added.
     pub fn follow(&mut self, from: usize, dofs: &[usize], u: &[f64]) -> usize {
-        let known = dofs.first().and_then(|own| self.dofs().iter().skip(from).position(|d| d == own));
+        let known =
+            dofs.first().and_then(|own| self.dofs().iter().skip(from).position(|d| d == own));
         known.map_or_else(
             || {
                 let first = self.width;

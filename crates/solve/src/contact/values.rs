@@ -7,8 +7,9 @@
 //!
 //! Which points there are, and which dofs they follow, stays.
 
+use super::chains::{continued, listed_nodes, own_parts};
 use super::laws;
-use super::master::{MasterSurface, continued, listed_nodes, own_parts};
+use super::master::MasterSurface;
 use super::pairs::{Carrier, Contact, SlavePoint};
 use super::profiles::{placed_segments, swept_profile};
 use super::segment::{Along, NEAR, SEGMENT_POINTS, STRETCHES, SlaveSegment};

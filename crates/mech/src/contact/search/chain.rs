@@ -97,9 +97,9 @@ pub struct Chain {
     /// Whether its last node is its first one.
     pub is_ring: bool,
     /// Its own segments; those before and behind continue it.
-    own: Range<usize>,
-    lengths: Vec<f64>,
-    arc: Vec<f64>,
+    pub(super) own: Range<usize>,
+    pub(super) lengths: Vec<f64>,
+    pub(super) arc: Vec<f64>,
     through: Through,
 }
 
@@ -176,45 +176,6 @@ impl Chain {
         self.own = 0..self.lengths.len();
         let sound = self.lengths.iter().all(|&length| length > 0.0 && length.is_finite());
         sound && (0.0..0.5).contains(&smoothing) && !extension.is_nan()
-    }
-
-    /// So many segments before and behind continue it: the arc begins behind the former, and what a ring is met at are
-    /// its own segments.
-    pub fn continue_by(&mut self, [before, behind]: [usize; 2]) {
-        self.own = before..self.lengths.len() - behind;
-        let begin = self.arc[before];
-        self.arc.iter_mut().for_each(|arc| *arc -= begin);
-    }
-
-    /// Whether a segment is one of its own.
-    pub fn is_own(&self, index: usize) -> bool {
-        self.own.contains(&index)
-    }
-
-    /// Whether points are met at a segment, and at the corner where that begins: a ring has each once.
-    pub(super) fn is_met(&self, index: usize) -> bool {
-        !self.is_ring || self.is_own(index)
-    }
-
-    /// The segment of a ring, or the node at which that begins, for which one that continues it stands.
-    pub(super) fn met(&self, index: usize) -> usize {
-        match self.is_met(index) {
-            true => index,
-            false => {
-                let (start, count) = (self.own.start, self.own.len());
-                start + (index + count - start % count) % count
-            }
-        }
-    }
-
-    /// The same of a piece.
-    pub fn met_piece(&self, piece: Piece) -> Piece {
-        let index = self.met(piece.index);
-        let kind = match (piece.kind, self.curve(index)) {
-            (PieceKind::Curve { .. }, Some(curve)) => PieceKind::Curve { first: curve.first },
-            (kind, _) => kind,
-        };
-        Piece { index, kind, parameter: piece.parameter }
     }
 
     /// The line of these nodes with its end segments prolonged by their extension.
@@ -349,7 +310,9 @@ impl Chain {
     /// not turn away at its seam a little, so that what stands there faces one of them.
     fn beyond_ends(&self, positions: &[[f64; 3]]) -> f64 {
         let nodes = [positions.len() - 2, 0, 1].map(|node| positions[node]);
-        let joins = self.is_ring && self.own.len() == self.segments() && (self.curve(0).is_some() || is_valley(&nodes, 1));
+        let joins = self.is_ring
+            && self.own.len() == self.segments()
+            && (self.curve(0).is_some() || is_valley(&nodes, 1));
         if joins { self.extension.max(SEAM) } else { self.extension }
     }
 
