@@ -18,6 +18,11 @@ use super::star::Corner;
 use crate::vector::Vector;
 use std::collections::HashMap;
 
+/// Faces at every node, with the corner that they have there.
+type Around = HashMap<usize, Vec<(usize, usize)>>;
+/// The face behind each edge of a face.
+type Neighbours = [Option<usize>; MOST_CORNERS];
+
 /// What smooths a corner of a face.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Round {
@@ -63,7 +68,7 @@ impl Smoothing {
 fn rounds(
     all: &Reflected,
     own: usize,
-    (around, neighbours): (&HashMap<usize, Vec<(usize, usize)>>, &[[Option<usize>; MOST_CORNERS]]),
+    (around, neighbours): (&Around, &[Neighbours]),
     joins: impl Fn(usize, usize, usize) -> bool,
 ) -> Vec<Round> {
     let faces = &all.faces;
@@ -87,7 +92,7 @@ fn rounds(
 pub(super) fn group(
     own: usize,
     at: &[(usize, usize)],
-    neighbours: &[[Option<usize>; MOST_CORNERS]],
+    neighbours: &[Neighbours],
     joins: impl Fn(usize, usize, usize) -> bool,
 ) -> Vec<usize> {
     let mut group = vec![own];

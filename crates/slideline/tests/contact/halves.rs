@@ -93,6 +93,20 @@ impl Cut {
         }
     }
 
+    /// Sets of the nodes in the planes of the cut.
+    fn planes(&self, deck: &mut String) {
+        for (axis, name) in
+            ["X0", "Y0"].into_iter().enumerate().filter(|(axis, _)| self.across[*axis])
+        {
+            let _ = writeln!(deck, "*NSET, NSET={name}");
+            for body in 0..2 {
+                for node in self.nodes(body).into_iter().filter(|node| node[axis] == 0) {
+                    let _ = writeln!(deck, "{}", Self::label(node, body));
+                }
+            }
+        }
+    }
+
     /// The deck, pushed together; `held` says how the nodes in the planes of the cut are.
     fn deck(&self, held: &str) -> String {
         let (mut deck, up) =
@@ -124,16 +138,7 @@ impl Cut {
                 let _ = writeln!(deck, "{}", Self::label(node, body));
             }
         }
-        for (axis, name) in
-            ["X0", "Y0"].into_iter().enumerate().filter(|(axis, _)| self.across[*axis])
-        {
-            let _ = writeln!(deck, "*NSET, NSET={name}");
-            for body in 0..2 {
-                for node in self.nodes(body).into_iter().filter(|node| node[axis] == 0) {
-                    let _ = writeln!(deck, "{}", Self::label(node, body));
-                }
-            }
-        }
+        self.planes(&mut deck);
         let (s, c) = self.angle.sin_cos();
         let _ = writeln!(
             deck,
