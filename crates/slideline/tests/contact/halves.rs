@@ -119,7 +119,7 @@ impl Cut {
             let [x, y, z] = self.place(node, body);
             let _ = writeln!(deck, "{}, {x:?}, {y:?}, {z:?}", Self::label(node, body));
         }
-        for body in 0..2 {
+        for (body, face) in faces.into_iter().enumerate() {
             let _ = writeln!(deck, "*ELEMENT, TYPE={kind}, ELSET=B{body}");
             self.elements(body, &mut deck);
             let _ = writeln!(deck, "*SOLID SECTION, ELSET=B{body}, MATERIAL=M\n1.");
@@ -130,7 +130,7 @@ impl Cut {
             for line in rest.lines() {
                 let label: i64 = line.split(',').next().unwrap().trim().parse().unwrap();
                 if (label - 1) / 81 == layer + 3 * body as i64 {
-                    let _ = writeln!(deck, "{label}, {}", faces[body]);
+                    let _ = writeln!(deck, "{label}, {face}");
                 }
             }
             let _ = writeln!(deck, "*NSET, NSET=END{body}");
