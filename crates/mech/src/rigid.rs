@@ -130,6 +130,16 @@ pub enum Attachment {
         /// Local numbers of the nodes' first dofs.
         firsts: [usize; 2],
     },
+    /// The image of a node in a plane of symmetry, x = X - 2 n n.(X - X_p): two variables, following the dofs (x, y) of
+    /// the node and of one in the plane.
+    Image {
+        /// Unit normal n of the plane [1].
+        normal: [f64; 2],
+        /// Local number of the first dof of the node X.
+        node: usize,
+        /// Local number of the first dof of the node X_p.
+        plane: usize,
+    },
 }
 
 /// A point between two nodes, x = sum_k w_k X_k + R(phi_k) arm_k: a station of a smooth line whose
@@ -183,7 +193,7 @@ impl Row {
 impl Attachment {
     fn variables(&self) -> usize {
         match self {
-            Self::Point { .. } | Self::Blend { .. } => 2,
+            Self::Point { .. } | Self::Blend { .. } | Self::Image { .. } => 2,
             Self::Rotation { .. } => 1,
         }
     }
@@ -209,6 +219,16 @@ impl Attachment {
                 (b + component, blend.weights[1]),
                 (b + 2, spin(blend.current_arm(1, dofs[b + 2]))),
             ]),
+            Self::Image { normal, node, plane } => {
+                let back = |axis: usize| 2.0 * normal[component] * normal[axis];
+                let own = |axis: usize| f64::from(axis == component) - back(axis);
+                Row::of([
+                    (*node, own(0)),
+                    (node + 1, own(1)),
+                    (*plane, back(0)),
+                    (plane + 1, back(1)),
+                ])
+            }
         }
     }
 }

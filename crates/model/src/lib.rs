@@ -39,6 +39,7 @@ mod section_print;
 mod stabilisation;
 mod step;
 mod surface;
+mod symmetry;
 mod tested;
 mod transform;
 mod vocabulary;
@@ -92,6 +93,7 @@ pub use surface::{
     ContactFace, Master, MasterFaces, OwnSurface, ProfilePoint, RigidSurface, SlideLine,
     SurfaceRun, SurfaceSegment, Sweep, SweptSurface,
 };
+pub use symmetry::SymmetryPlane;
 pub use tested::Tested;
 pub use transform::Transform;
 pub use vocabulary::Vocabulary;

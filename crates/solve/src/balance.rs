@@ -64,8 +64,9 @@ pub fn pair_rows(
     for own in plan.contact.unseen(&work.evaluation.kinematics) {
         (rows[own.pair].unseen_depth, rows[own.pair].unseen) = (own.depth, Some(own.node));
     }
-    for (row, sum) in rows.iter_mut().zip(sums) {
+    for (pair, (row, sum)) in rows.iter_mut().zip(sums).enumerate() {
         row.take_means();
+        sum.moment = plan.contact.balanced(pair, sum.moment);
         (row.force_imbalance, row.moment_imbalance) = sum.imbalance();
     }
 }

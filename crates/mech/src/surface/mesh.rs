@@ -12,16 +12,16 @@
 //! the four markers of its body.
 
 use super::axes::{Bearing, axis, bearing_of_axis};
-use super::drawn_edges::Joints;
 pub use super::edges::{MeshFace, area_between, is_crease, nodes_at_ends, surface_ends};
 use super::edges::{area, edge, ends, faces_around, middle, neighbours, normal};
+use super::mirror::Mirror;
 use super::patch::{MOST_CORNERS, MOST_NODES, Patch};
-use super::star::{Corner, Star, StarNormal};
+use super::smoothing::{Round, Smoothing, group};
+use super::star::{Star, StarNormal};
 use super::swept::Swept;
 use crate::axes::Axes;
 use crate::element::cell::QUAD4;
 use crate::vector::{Vector, add, cross, dot, scale, size, sub};
-use std::collections::HashMap;
 
 /// What follows from the way in which faces are joined.
 #[derive(Debug, Clone)]
@@ -32,8 +32,10 @@ struct Joined {
     around: Vec<usize>,
     /// Nodes that the face follows: its own ones, then those of its stars.
     stencil: Vec<usize>,
-    /// Corners of the star at each corner, by places in the stencil; none where it is flat.
-    stars: Vec<Vec<Corner>>,
+    /// The star at each corner, by places in the stencil; none where it is flat.
+    stars: Vec<Round>,
+    /// Edges in planes of symmetry.
+    mirrored: [bool; MOST_CORNERS],
 }
 
 /// Faces with their neighbours.
@@ -53,6 +55,8 @@ pub struct FaceMesh {
     axes: Vec<Bearing>,
     /// Edges of each face that are drawn as they are; empty where none is smoothed.
     drawn: Vec<[bool; MOST_CORNERS]>,
+    /// Normals of the planes of symmetry at which it ends [1].
+    planes: Vec<Vector>,
     /// Mean length of the slave faces that may stand about its edges [L].
     pub slave: f64,
 }
@@ -66,73 +70,81 @@ pub struct PlacedFace {
     pub normals: Vec<StarNormal>,
 }
 
+impl Joined {
+    /// A face with what smooths its corners, by nodes of the mesh, without what it is joined with.
+    fn new(face: &MeshFace, mut stars: Vec<Round>) -> Self {
+        let mut stencil = face.nodes.clone();
+        let mut local = |node: usize| {
+            stencil.iter().position(|&own| own == node).unwrap_or_else(|| {
+                stencil.push(node);
+                stencil.len() - 1
+            })
+        };
+        for corner in stars.iter_mut().flat_map(|star| &mut star.corners) {
+            *corner = corner.map(&mut local);
+        }
+        let (neighbours, mirrored) = ([None; MOST_CORNERS], [false; MOST_CORNERS]);
+        Self { neighbours, around: Vec::new(), stencil, stars, mirrored }
+    }
+}
+
 impl FaceMesh {
     /// The faces with their neighbours; `reference` are the undeformed positions of the nodes [L].
     /// Faces of linear cells are smoothed where that is asked for.
     pub fn new(faces: Vec<MeshFace>, reference: &[Vector], smooth: bool) -> Self {
-        let neighbours = neighbours(&faces);
-        let around = faces_around(&faces);
+        Self::mirrored(faces, reference, (smooth, &[]))
+    }
+
+    /// The same of faces that go on as their images beyond planes of symmetry.
+    pub fn mirrored(
+        faces: Vec<MeshFace>,
+        reference: &[Vector],
+        (smooth, mirrors): (bool, &[Mirror]),
+    ) -> Self {
+        let (neighbours, around) = (neighbours(&faces), faces_around(&faces));
         let normals: Vec<_> =
             faces.iter().map(|face| normal(face, |node| reference[node])).collect();
         let joins = |a: usize, b: usize| !is_crease(normals[a], normals[b]);
         let behind = |face: usize| neighbours[face].iter().flatten().copied();
         let is_sharp = (0..faces.len()).any(|face| behind(face).any(|other| !joins(face, other)));
-        let joints =
-            Joints { faces: &faces, neighbours: &neighbours, around: &around, normals: &normals };
-        let drawn = if smooth { joints.drawn(|node| reference[node]) } else { Vec::new() };
-        let is_round =
-            |own: usize, edge: usize, other: usize| joins(own, other) && !drawn[own][edge];
-        let joined = (0..faces.len())
-            .map(|own| {
-                let smoothed = smooth && faces[own].nodes.len() == faces[own].cell.faces.len();
-                let stars = match smoothed {
-                    true => stars(&faces, own, &around, &neighbours, is_round),
-                    false => Vec::new(),
-                };
-                let mut stencil = faces[own].nodes.clone();
-                let stars = stars.into_iter().map(|star| {
-                    let mut local = |node: usize| {
-                        stencil.iter().position(|&own| own == node).unwrap_or_else(|| {
-                            stencil.push(node);
-                            stencil.len() - 1
-                        })
-                    };
-                    star.into_iter().map(|corner| corner.map(&mut local)).collect()
-                });
-                let stars = stars.collect();
-                let corners = &faces[own].nodes[..faces[own].cell.faces.len()];
-                let beside = corners.iter().flat_map(|node| &around[node]).map(|&(face, _)| face);
-                let mut beside: Vec<usize> = beside.filter(|&face| face != own).collect();
-                beside.sort_unstable();
-                beside.dedup();
-                Joined { neighbours: neighbours[own], around: beside, stencil, stars }
-            })
-            .collect();
+        let smoothing = smooth.then(|| Smoothing::new(&faces, reference, mirrors));
+        let Smoothing { drawn, mut rounds } = smoothing.unwrap_or_default();
+        let joined = (0..faces.len()).map(|own| {
+            let (face, rounds) = (&faces[own], rounds.get_mut(own).map(std::mem::take));
+            let mut new = Joined::new(face, rounds.unwrap_or_default());
+            let corners = &face.nodes[..face.cell.faces.len()];
+            new.neighbours = neighbours[own];
+            new.around.extend(corners.iter().flat_map(|node| &around[node]).map(|&(face, _)| face));
+            new.around.retain(|&face| face != own);
+            new.around.sort_unstable();
+            new.around.dedup();
+            let is_in = |own| mirrors.iter().any(|mirror: &Mirror| mirror.has(edge(face, own)));
+            new.mirrored = std::array::from_fn(|own| own < corners.len() && is_in(own));
+            new
+        });
+        let joined = joined.collect();
         let ends = ends(&faces, &neighbours, joins);
         let at_ends = nodes_at_ends(&faces, &ends);
         let (axes, slave) = (Vec::new(), f64::INFINITY);
-        Self { faces, joined, swept: None, is_sharp, ends, at_ends, axes, drawn, slave }
+        let planes = mirrors.iter().map(|own| own.normal).collect();
+        Self { faces, joined, swept: None, is_sharp, ends, at_ends, axes, drawn, planes, slave }
     }
 
     /// An analytical surface on the four markers of its body.
     pub fn analytical(swept: Swept) -> Self {
         let markers = || vec![0, 1, 2, 3];
-        let joined = || Joined {
-            neighbours: [None; MOST_CORNERS],
-            around: Vec::new(),
-            stencil: markers(),
-            stars: Vec::new(),
-        };
+        let face = || MeshFace { cell: &QUAD4, nodes: markers() };
         let charts = 0..swept.charts();
         Self {
-            faces: charts.clone().map(|_| MeshFace { cell: &QUAD4, nodes: markers() }).collect(),
-            joined: charts.map(|_| joined()).collect(),
+            faces: charts.clone().map(|_| face()).collect(),
+            joined: charts.map(|_| Joined::new(&face(), Vec::new())).collect(),
             swept: Some(swept),
             is_sharp: false,
             ends: Vec::new(),
             at_ends: Vec::new(),
             axes: Vec::new(),
             drawn: Vec::new(),
+            planes: Vec::new(),
             slave: f64::INFINITY,
         }
     }
@@ -238,6 +250,16 @@ impl FaceMesh {
         !self.joined[face].stars.is_empty() && !apart(&self.ends) && !apart(&self.drawn)
     }
 
+    /// Normals of the planes of symmetry at which it ends [1].
+    pub fn planes(&self) -> &[Vector] {
+        &self.planes
+    }
+
+    /// Whether a face goes on as its image beyond an edge.
+    pub fn is_mirrored(&self, face: usize, edge: usize) -> bool {
+        self.joined[face].mirrored[edge]
+    }
+
     /// Faces that share a corner with a face.
     pub fn around(&self, face: usize) -> &[usize] {
         &self.joined[face].around
@@ -255,7 +277,8 @@ impl FaceMesh {
 
     /// The star at a corner of a face, over its stencil.
     pub fn star(&self, face: usize, corner: usize) -> Star<'_> {
-        Star { node: corner, corners: &self.joined[face].stars[corner] }
+        let Round { corners, across } = &self.joined[face].stars[corner];
+        Star { node: corner, corners, across }
     }
 
     /// A face where the nodes stand now; `None` where a normal of it vanishes.
@@ -285,29 +308,6 @@ impl PlacedFace {
     pub const EMPTY: Self = Self { positions: Vec::new(), normals: Vec::new() };
 }
 
-/// The faces that a face is joined with round a node without crossing a crease, itself first; `at`
-/// are all faces there.
-fn group(
-    own: usize,
-    at: &[(usize, usize)],
-    neighbours: &[[Option<usize>; MOST_CORNERS]],
-    joins: impl Fn(usize, usize, usize) -> bool,
-) -> Vec<usize> {
-    let mut group = vec![own];
-    let mut open = vec![own];
-    while let Some(face) = open.pop() {
-        for (edge, next) in neighbours[face].iter().enumerate() {
-            let Some(next) = *next else { continue };
-            let here = at.iter().any(|(other, _)| *other == next);
-            if here && !group.contains(&next) && joins(face, edge, next) {
-                group.push(next);
-                open.push(next);
-            }
-        }
-    }
-    group
-}
-
 /// Which faces belong together at each corner of each face, no crease between them: the lowest one
 /// of them. `position` gives undeformed positions of nodes [L].
 pub fn smooth_groups(
@@ -327,30 +327,4 @@ pub fn smooth_groups(
         std::array::from_fn(|corner| if corner < corners { lowest(place, corner) } else { place })
     };
     faces.iter().enumerate().map(of_face).collect()
-}
-
-/// The stars at the corners of a face, as (next, previous) nodes of the faces that it is joined
-/// with round each corner without crossing a crease.
-fn stars(
-    faces: &[MeshFace],
-    own: usize,
-    around: &HashMap<usize, Vec<(usize, usize)>>,
-    neighbours: &[[Option<usize>; MOST_CORNERS]],
-    joins: impl Fn(usize, usize, usize) -> bool,
-) -> Vec<Vec<[usize; 2]>> {
-    let corners = faces[own].cell.faces.len();
-    let star = |corner: usize| {
-        let at = &around[&faces[own].nodes[corner]];
-        let group = group(own, at, neighbours, &joins);
-        // in the order of the faces: both sides of an edge sum alike
-        at.iter()
-            .filter(|(face, _)| group.contains(face))
-            .map(|&(face, corner)| {
-                let nodes = &faces[face].nodes;
-                let count = faces[face].cell.faces.len();
-                [nodes[(corner + 1) % count], nodes[(corner + count - 1) % count]]
-            })
-            .collect()
-    };
-    (0..corners).map(star).collect()
 }

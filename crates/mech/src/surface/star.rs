@@ -10,6 +10,7 @@
 //!
 //! [docs/theory.md, section 5.9]
 
+use super::mirror::across;
 use crate::vector::{Vector, add, cross, dot, scale, size, sub};
 
 /// A corner of a face at the node: places of the next and of the previous corner in a list.
@@ -22,6 +23,9 @@ pub struct Star<'a> {
     pub node: usize,
     /// The corners.
     pub corners: &'a [Corner],
+    /// Unit vectors across one another and across the planes of symmetry that the node lies in: there the faces
+    /// cancel with their images [1].
+    pub across: &'a [Vector],
 }
 
 /// Its normal in a configuration.
@@ -45,6 +49,7 @@ impl Star<'_> {
             sum = add(sum, cross(next, previous));
             whole += size(next) * size(previous);
         }
+        let sum = across(sum, self.across);
         let size = size(sum);
         (size > f64::EPSILON * whole).then(|| StarNormal { normal: scale(sum, 1.0 / size), size })
     }
@@ -56,8 +61,8 @@ impl Star<'_> {
         (own, y): (&StarNormal, Vector),
         mut add_at: impl FnMut(usize, Vector),
     ) {
-        let across = sub(y, scale(own.normal, dot(y, own.normal)));
-        let w = scale(across, 1.0 / own.size);
+        let aside = sub(y, scale(own.normal, dot(y, own.normal)));
+        let w = across(scale(aside, 1.0 / own.size), self.across);
         for corner in self.corners {
             let [next, previous] = self.edges(positions, corner);
             let (by_next, by_previous) = (cross(previous, w), cross(w, next));
@@ -77,13 +82,14 @@ impl Star<'_> {
     ) {
         let n = own.normal;
         let along = dot(y, n);
-        let across = sub(y, scale(n, along));
-        let w = scale(across, 1.0 / own.size);
+        let aside = across(sub(y, scale(n, along)), self.across);
+        let w = scale(aside, 1.0 / own.size);
         // of y . S / |S| by S
         let by_sum: [Vector; 3] = std::array::from_fn(|i| {
+            let unit = std::array::from_fn(|j| f64::from(i == j));
+            let plane = sub(across(unit, self.across), scale(n, n[i]));
             std::array::from_fn(|j| {
-                let plane = f64::from(i == j) - n[i] * n[j];
-                -(n[i] * across[j] + across[i] * n[j] + along * plane) / own.size.powi(2)
+                -(n[i] * aside[j] + aside[i] * n[j] + along * plane[j]) / own.size.powi(2)
             })
         });
         // dS = sum over the corners of [next] dprevious - [previous] dnext

@@ -16,6 +16,7 @@ mod decaying_friction;
 mod field;
 mod flush_blocks;
 mod grazing;
+mod halves;
 mod interference;
 mod left_out_faces;
 mod mortar;

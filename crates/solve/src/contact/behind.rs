@@ -145,9 +145,11 @@ impl Contact {
                     inward |= crossing.inward;
                 });
             }
-            MasterSurface::Line { chain, nodes, .. } => {
+            MasterSurface::Line { chain, nodes, beyond, .. } => {
                 let positions = |u: &[f64]| {
-                    let nodes = nodes.iter().map(|(at, dofs)| dofs.displace(*at, u));
+                    let nodes = nodes[beyond.own(nodes.len())]
+                        .iter()
+                        .map(|(at, dofs)| dofs.displace(*at, u));
                     chain.prolonged(nodes.collect())
                 };
                 let (before, after) = (positions(from), positions(to));

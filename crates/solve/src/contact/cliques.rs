@@ -71,15 +71,17 @@ impl Contact {
                 MasterSurface::Body { dofs, .. } => {
                     cliques.add(constraints, own.as_slice().iter().chain(turn).chain(dofs));
                 }
-                MasterSurface::Line { chain, nodes, .. } => {
+                MasterSurface::Line { chain, nodes, beyond, .. } => {
                     let all = 0..nodes.len();
                     let range = match near.get(place) {
                         Some(Candidates::Nodes(range)) => range.clone(),
                         _ => all,
                     };
-                    let window = range.len().min(chain.most_nodes());
-                    for window in nodes[range].windows(window.max(1)) {
-                        let facing = window.iter().flat_map(|(_, dofs)| dofs.as_slice());
+                    let window = range.len().min(chain.most_nodes()).max(1);
+                    for first in range.start..(range.end + 1).saturating_sub(window) {
+                        let part = first..first + window;
+                        let rims = beyond.rims(part.clone(), nodes.len());
+                        let facing = part.chain(rims).flat_map(|node| nodes[node].1.as_slice());
                         let own = own.as_slice().iter().chain(turn.clone());
                         cliques.add(constraints, own.chain(facing));
                     }

@@ -90,7 +90,8 @@ impl Contact {
     fn edge_places(&self, pair: usize, u: &[f64]) -> Vec<EdgePlace> {
         let place = |at, node| EdgePlace { at, node, nearest: None };
         match &self.masters[pair] {
-            MasterSurface::Line { nodes, itself: None, .. } => {
+            MasterSurface::Line { nodes, beyond, itself: None, .. } => {
+                let nodes = &nodes[beyond.own(nodes.len())];
                 let stands = |node: usize| nodes[node].1.displace(nodes[node].0, u);
                 let inner = 1..nodes.len().saturating_sub(1);
                 inner

@@ -219,10 +219,12 @@ impl Contact {
         let (of, Carrier::Node { position, .. }) = (self.parent(point.pair), &point.carrier) else {
             return None;
         };
-        let MasterSurface::Line { nodes, offset, itself: None, .. } = &self.masters[of] else {
+        let MasterSurface::Line { nodes, offset, beyond, itself: None, .. } = &self.masters[of]
+        else {
             return None;
         };
-        let edge = nodes.iter().position(|(from, _)| from == position)?;
+        let own = beyond.own(nodes.len());
+        let edge = own.start + nodes[own].iter().position(|(from, _)| from == position)?;
         let stand = positions.nodes.get(*offset..offset + nodes.len())?;
         let [a, b, c] = *stand.get(edge.checked_sub(1)?..edge + 2)? else { return None };
         let own = self.points.iter().filter(|point| point.pair == of && point.is_node());

@@ -53,8 +53,11 @@ impl Contact {
         self.keeps.push(false);
         self.offsets.push(pair.offset);
         self.spacing.push(self.spacing[of]);
-        let master =
-            MasterSurface::of((model, dofs), &edges.met, (self.chain_nodes, self.spacing[of]));
+        let master = MasterSurface::of(
+            (model, dofs),
+            (&edges.met, None),
+            (self.chain_nodes, self.spacing[of]),
+        );
         self.chain_nodes += master.nodes().len();
         self.masters.push(master);
         self.add_faces_of_edges(model, dofs, edges);

@@ -10,6 +10,7 @@
 //! docs/theory.md section 5.6
 
 use super::facing::Facing;
+use super::master::MasterSurface;
 use super::mortar::curves::curves;
 use super::mortar::slave::{ApartFaces, Control, Mortar};
 use super::pairs::{Apart, Contact, SlavePoint};
@@ -55,6 +56,12 @@ impl Contact {
 
     /// Whether a slave node does not meet a part, or a face, of its master.
     pub(super) fn leaves_out(&self, point: &SlavePoint, part: usize) -> bool {
+        let part = match &self.masters[point.pair] {
+            MasterSurface::Line { nodes, beyond, itself: None, .. } => {
+                beyond.own_segment(part, nodes.len())
+            }
+            _ => part,
+        };
         let leaves = |own: &Apart| {
             own.parts.get(part).is_some_and(|&is_apart| is_apart) && own.nodes.contains(&point.node)
         };

@@ -1,6 +1,9 @@
 //! Masters, ready to be searched.
 
+use super::beyond::Beyond;
+use super::chains::{continued, listed_nodes, own_parts};
 use super::facing::Facing;
+use super::mirrors::mirrors;
 use super::positions::MasterPositions;
 use super::profiles::{placed, swept_profile};
 use super::stencil::Stencil;
@@ -10,14 +13,16 @@ use slideline_mech::contact::pair::{
     AnyGap, Body, RigidSurface, chain_attachments, chain_gap, chain_overclosure,
 };
 use slideline_mech::contact::search::chain::{Chain, Piece};
-use slideline_mech::contact::search::itself::{Itself, Placed, Run, listed};
+use slideline_mech::contact::search::itself::{Itself, Placed};
 use slideline_mech::contact::search::outlook::Outlook;
 use slideline_mech::contact::search::own_faces::OwnFaces;
 use slideline_mech::contact::search::sharp;
 use slideline_mech::contact::search::through::CONTROLS;
-use slideline_mech::rigid::{Attachment, PointMap};
+use slideline_mech::rigid::Attachment;
 use slideline_mech::surface::mesh::{FaceMesh, MeshFace};
-use slideline_model::{Master, MasterFaces, Model, NodeIndex, OwnSurface, SlideLine, SurfaceRun};
+use slideline_model::{
+    Master, MasterFaces, Model, NodeIndex, OwnSurface, SlideLine, SymmetryPlane,
+};
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -45,6 +50,8 @@ pub enum MasterSurface {
         middles: Vec<bool>,
         /// Which of its parts its own nodes may meet, where it meets itself.
         itself: Option<Box<Itself>>,
+        /// Which of its nodes continue it.
+        beyond: Beyond,
     },
     /// Faces in space, and where the positions of their nodes begin in the scratch.
     Faces {
@@ -64,36 +71,38 @@ pub enum MasterSurface {
 }
 
 impl MasterSurface {
-    /// A master whose nodes follow those of the masters before; faces of the slave are so long [L].
+    /// A master that goes on beyond planes of symmetry, and whose nodes follow those of the masters before; faces of the
+    /// slave are so long [L].
     pub fn of(
         (model, dofs): (&Model, &DofMap),
-        said: &Master,
+        (said, planes): (&Master, Option<&[SymmetryPlane]>),
         (offset, slave): (usize, f64),
     ) -> MasterSurface {
         match said {
             Master::RigidSurface(surface) => Self::body(model, dofs, surface, slave),
-            Master::SlideLine(line) => Self::chain(model, dofs, line, (offset, slave)),
-            Master::Faces(faces) => Self::faces(model, dofs, faces, (offset, slave)),
+            Master::SlideLine(line) => Self::chain((model, dofs), (line, planes), (offset, slave)),
+            Master::Faces(faces) => {
+                let planes = planes.unwrap_or_default();
+                Self::faces((model, dofs), (faces, planes), (offset, slave))
+            }
             Master::Itself(surface) => Self::itself(model, dofs, surface, offset),
         }
     }
 
     /// The master of a chain of nodes; faces of the slave are so long [L].
     pub fn chain(
-        model: &Model,
-        dofs: &DofMap,
-        line: &SlideLine,
+        (model, dofs): (&Model, &DofMap),
+        (line, planes): (&SlideLine, Option<&[SymmetryPlane]>),
         (offset, slave): (usize, f64),
     ) -> MasterSurface {
-        let at = |&node: &_| model.nodes.get(node).position;
-        let reference: Vec<_> = line.nodes.iter().map(at).collect();
-        let nodes = line.nodes.iter().map(|node| (at(node), dofs.translations(*node)));
+        let (nodes, beyond) = continued((model, dofs), (line, planes));
+        let reference: Vec<_> = nodes.iter().map(|(at, _)| *at).collect();
         match Chain::new(&reference, line.smooth, line.extension) {
             Some(mut chain) => {
                 (chain.slave, chain.is_ring) = (slave, line.is_ring());
-                let middles = line.middles.clone();
-                let (nodes, itself) = (nodes.collect(), None);
-                MasterSurface::Line { chain, nodes, offset, middles, itself }
+                chain.continue_by(beyond.counts);
+                let (middles, itself) = (line.middles.clone(), None);
+                MasterSurface::Line { chain, nodes, offset, middles, itself, beyond }
             }
             None => MasterSurface::Nothing,
         }
@@ -114,7 +123,8 @@ impl MasterSurface {
         match own_parts(model, surface, &list) {
             Some((itself, chain)) => {
                 let (middles, itself) = (Vec::new(), Some(Box::new(itself)));
-                MasterSurface::Line { chain, nodes, offset, middles, itself }
+                let beyond = Beyond::default();
+                MasterSurface::Line { chain, nodes, offset, middles, itself, beyond }
             }
             None => MasterSurface::Nothing,
         }
@@ -161,9 +171,8 @@ impl MasterSurface {
 
     /// The master of faces in space.
     pub fn faces(
-        model: &Model,
-        dofs: &DofMap,
-        faces: &MasterFaces,
+        (model, dofs): (&Model, &DofMap),
+        (faces, planes): (&MasterFaces, &[SymmetryPlane]),
         (offset, slave): (usize, f64),
     ) -> MasterSurface {
         let labels = faces.nodes();
@@ -175,7 +184,11 @@ impl MasterSurface {
             Some(MeshFace { cell: face.cell()?, nodes })
         });
         let mut mesh = match &faces.swept {
-            None => FaceMesh::new(of_mesh.collect(), &reference, faces.smooth),
+            None => {
+                let own: Vec<_> = of_mesh.collect();
+                let mirrors = mirrors(&own, &reference, planes);
+                FaceMesh::mirrored(own, &reference, (faces.smooth, &mirrors))
+            }
             Some(swept) => match swept_profile(swept) {
                 Some(swept) => FaceMesh::analytical(swept),
                 None => return MasterSurface::Nothing,
@@ -201,8 +214,9 @@ impl MasterSurface {
         match self {
             Self::Nothing => 0,
             Self::Body { dofs, .. } => dofs.len(),
-            Self::Line { chain, nodes, .. } => {
-                chain.most_nodes()
+            // an image follows a node in its plane too
+            Self::Line { chain, nodes, beyond, .. } => {
+                (chain.most_nodes() + beyond.normals().len().min(1))
                     * nodes.iter().map(|(_, dofs)| dofs.as_slice().len()).max().unwrap_or(0)
             }
             // of the face, and of the one at the last commit
@@ -251,7 +265,8 @@ impl MasterSurface {
         match itself {
             None => {
                 let (own, nearby) = positions.chain(pair, range)?;
-                sharp::closest(chain, own, nearby, (point, outlook))
+                let found = sharp::closest(chain, own, nearby, (point, outlook))?;
+                Some(chain.met_piece(found))
             }
             Some(itself) => itself.closest(placed_itself((chain, range), (positions, pair))?, seat),
         }
@@ -293,16 +308,15 @@ impl MasterSurface {
                 stencil.add_from(dofs, u);
                 Some(gap)
             }
-            (Self::Line { chain, nodes, offset, .. }, Facing::Piece(piece)) => {
+            (Self::Line { chain, nodes, offset, beyond, .. }, Facing::Piece(piece)) => {
                 let positions = positions.get(*offset..offset + nodes.len())?;
                 let point = (stencil.position, stencil.offset);
                 let gap = chain_gap(chain, piece, positions, point)?;
                 let mut control = [slave; CONTROLS];
-                let facing = &nodes[piece.nodes()];
-                for (attachment, (_, dofs)) in control.iter_mut().zip(facing) {
-                    let first = stencil.width();
-                    *attachment = Attachment::Point { map: PointMap::Free, first };
-                    stencil.add_from(dofs.as_slice(), u);
+                let (from, facing) = (stencil.width(), piece.nodes());
+                for (attachment, place) in control.iter_mut().zip(facing.clone()) {
+                    let follow = |node: usize| stencil.follow(from, nodes[node].1.as_slice(), u);
+                    *attachment = beyond.attachment((place, nodes.len()), follow);
                 }
                 stencil.attachments = Some(chain_attachments(slave, &control[..facing.len()]));
                 Some(gap)
@@ -366,27 +380,6 @@ fn placed_itself<'a>(
 ) -> Option<Placed<'a>> {
     let (positions, tree) = (positions.nodes.get(range)?, positions.tree(pair)?);
     Some(Placed { chain, positions, tree })
-}
-
-/// The nodes of a surface that meets itself in the order of its list.
-pub(super) fn listed_nodes(surface: &OwnSurface) -> Vec<NodeIndex> {
-    let nodes: Vec<NodeIndex> = surface.nodes().collect();
-    listed(&runs(surface)).into_iter().map(|number| nodes[number]).collect()
-}
-
-fn runs(surface: &OwnSurface) -> Vec<Run> {
-    let run = |own: &SurfaceRun| Run { nodes: own.nodes.len(), is_closed: own.is_closed };
-    surface.runs.iter().map(run).collect()
-}
-
-/// Its parts and its chain at the undeformed positions of a model.
-pub(super) fn own_parts(
-    model: &Model,
-    surface: &OwnSurface,
-    list: &[NodeIndex],
-) -> Option<(Itself, Chain)> {
-    let reference: Vec<_> = list.iter().map(|&node| model.nodes.get(node).position).collect();
-    Itself::new(&runs(surface), &reference, (surface.smooth, surface.extension))
 }
 
 /// The box about places.

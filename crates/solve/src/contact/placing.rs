@@ -48,8 +48,10 @@ impl Contact {
                     None => *face_tree = Some(faces::tree(mesh, own)),
                 }
             }
-            let MasterSurface::Line { chain, nodes, offset, itself, .. } = master else { continue };
-            into.nodes.extend(nodes.iter().map(|(at, dofs)| dofs.displace(*at, u)));
+            let MasterSurface::Line { chain, nodes, offset, itself, beyond, .. } = master else {
+                continue;
+            };
+            beyond.place(nodes, u, &mut into.nodes);
             let own = &into.nodes[*offset..];
             if let Some(itself) = itself {
                 match tree {

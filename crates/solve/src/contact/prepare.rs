@@ -2,6 +2,7 @@
 
 use super::laws::{self, mean_length};
 use super::master::MasterSurface;
+use super::mirrors::planes;
 use super::mortar::slave::Mortar;
 use super::mortar_faces::slave::FaceMortar;
 use super::pairs::{Carrier, Contact};
@@ -28,7 +29,10 @@ impl Contact {
             directions: if model.is_in_space() { 2 } else { 1 },
             ..Self::default()
         };
+        let planes = planes(model);
         for (place, pair) in model.contact_pairs.iter().enumerate() {
+            let at_nodes = pair.formulation == Formulation::NodeToSurface;
+            let beyond = at_nodes.then_some(&planes[..]);
             contact.edges.push(Vec::new());
             contact.spread_nodes.push(Vec::new());
             match pair.formulation {
@@ -40,7 +44,7 @@ impl Contact {
             contact.laws.push(laws::laws(model, pair, length, users));
             contact.keeps.push(pair.interaction.no_separation);
             let places = (contact.chain_nodes, length);
-            let master = MasterSurface::of((model, dofs), &pair.master, places);
+            let master = MasterSurface::of((model, dofs), (&pair.master, beyond), places);
             contact.chain_nodes += master.nodes().len();
             contact.spacing.push(laws::spacing(model, length, &master));
             contact.masters.push(master);
@@ -196,9 +200,12 @@ impl Contact {
         }
         self.take_points(model);
         self.take_segments(model);
+        let planes = planes(model);
         for (index, pair) in model.contact_pairs.iter().enumerate() {
             let length = mean_length(model, pair);
-            if !self.take_master(model, dofs, (index, &pair.master, length)) {
+            let at_nodes = pair.formulation == Formulation::NodeToSurface;
+            let beyond = at_nodes.then_some(&planes[..]);
+            if !self.take_master(model, dofs, (index, &pair.master, length), beyond) {
                 return Err(index);
             }
             if pair.profile.as_ref().is_some_and(|own| placed(own).is_none()) {
@@ -211,7 +218,7 @@ impl Contact {
         }
         for (place, edges) in model.edge_pairs.iter().enumerate() {
             let (index, length) = (model.contact_pairs.len() + place, self.spacing[edges.of]);
-            if !self.take_master(model, dofs, (index, &edges.met, length)) {
+            if !self.take_master(model, dofs, (index, &edges.met, length), None) {
                 return Err(edges.of);
             }
         }

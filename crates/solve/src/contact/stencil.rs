@@ -106,6 +106,20 @@ impl<'a> Stencil<'a> {
         self.width += dofs.len();
     }
 
+    /// Where the dofs of a node of the master stand, behind a place; those that do not are added.
+    pub fn follow(&mut self, from: usize, dofs: &[usize], u: &[f64]) -> usize {
+        let known =
+            dofs.first().and_then(|own| self.dofs().iter().skip(from).position(|d| d == own));
+        known.map_or_else(
+            || {
+                let first = self.width;
+                self.add_from(dofs, u);
+                first
+            },
+            |place| from + place,
+        )
+    }
+
     /// Adds dofs with their values in the state vector.
     pub fn add_from(&mut self, dofs: &[usize], u: &[f64]) {
         self.add(dofs, dofs.iter().map(|&dof| u[dof]));

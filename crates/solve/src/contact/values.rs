@@ -7,8 +7,9 @@
 //!
 //! Which points there are, and which dofs they follow, stays.
 
+use super::chains::{continued, listed_nodes, own_parts};
 use super::laws;
-use super::master::{MasterSurface, listed_nodes, own_parts};
+use super::master::MasterSurface;
 use super::pairs::{Carrier, Contact, SlavePoint};
 use super::profiles::{placed_segments, swept_profile};
 use super::segment::{Along, NEAR, SEGMENT_POINTS, STRETCHES, SlaveSegment};
@@ -20,7 +21,10 @@ use slideline_mech::contact::points::{
     Across, chord, integration_points::HermiteLine, tributary_areas,
 };
 use slideline_mech::surface::mesh::FaceMesh;
-use slideline_model::{ContactPair, Formulation, Master, Model, NodeIndex, RigidSurface};
+use slideline_mech::vector::{size, sub};
+use slideline_model::{
+    ContactPair, Formulation, Master, Model, NodeIndex, RigidSurface, SymmetryPlane,
+};
 use std::collections::HashMap;
 
 impl Contact {
@@ -159,6 +163,7 @@ impl Contact {
         model: &Model,
         dofs: &DofMap,
         (index, said, slave): (usize, &Master, f64),
+        planes: Option<&[SymmetryPlane]>,
     ) -> bool {
         match (&mut self.masters[index], said) {
             (MasterSurface::Body { reference, surface, .. }, Master::RigidSurface(said)) => {
@@ -176,17 +181,20 @@ impl Contact {
                 (*chain, *itself) = (line, Some(Box::new(own)));
                 true
             }
-            (MasterSurface::Line { chain, nodes, .. }, Master::SlideLine(line)) => {
-                for ((position, _), &node) in nodes.iter_mut().zip(&line.nodes) {
-                    *position = model.nodes.get(node).position;
+            (MasterSurface::Line { chain, nodes, beyond, .. }, Master::SlideLine(line)) => {
+                let (new, now) = continued((model, dofs), (line, planes));
+                if new.len() != nodes.len() {
+                    return false;
                 }
-                let ends = line.nodes.windows(2);
-                let lengths = ends.map(|ends| distance(model, [ends[0], ends[1]]));
+                (*nodes, *beyond) = (new, now);
+                let places = || nodes.iter().map(|(at, _)| *at);
+                let lengths = places().zip(places().skip(1)).map(|(a, b)| size(sub(b, a)));
                 (chain.slave, chain.is_ring) = (slave, line.is_ring());
                 let whole = chain.take(lengths, line.smooth.unwrap_or(0.0), line.extension);
                 if line.smooth.is_none() {
-                    chain.round(line.nodes.iter().map(|&node| model.nodes.get(node).position));
+                    chain.round(places());
                 }
+                chain.continue_by(beyond.counts);
                 whole
             }
             (MasterSurface::Faces { mesh, nodes, extension, itself, .. }, Master::Faces(faces)) => {
@@ -212,7 +220,7 @@ impl Contact {
                 own_parts(model, surface, &listed_nodes(surface)).is_none()
             }
             (MasterSurface::Nothing, Master::SlideLine(line)) => {
-                let made = MasterSurface::chain(model, dofs, line, (0, slave));
+                let made = MasterSurface::chain((model, dofs), (line, planes), (0, slave));
                 matches!(made, MasterSurface::Nothing)
             }
             _ => false,

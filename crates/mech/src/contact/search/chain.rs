@@ -18,6 +18,8 @@
 use super::through::{CONTROLS, Curve, Through};
 use super::{INSIDE, Point, TIE, cross, dot, project_line, project_quadratic, sub};
 
+use std::ops::Range;
+
 pub use super::{flat, raised};
 
 /// Part of both segments over which a valley is rounded where nothing else is round [1]: its bottom moves by 0.0025 of a
@@ -71,7 +73,7 @@ pub struct Piece {
 
 impl Piece {
     /// The control nodes in order.
-    pub fn nodes(&self) -> std::ops::Range<usize> {
+    pub fn nodes(&self) -> Range<usize> {
         match self.kind {
             PieceKind::Straight => self.index..self.index + 2,
             PieceKind::Curve { first } => first..first + CONTROLS,
@@ -94,8 +96,10 @@ pub struct Chain {
     pub slave: f64,
     /// Whether its last node is its first one.
     pub is_ring: bool,
-    lengths: Vec<f64>,
-    arc: Vec<f64>,
+    /// Its own segments; those before and behind continue it.
+    pub(super) own: Range<usize>,
+    pub(super) lengths: Vec<f64>,
+    pub(super) arc: Vec<f64>,
     through: Through,
 }
 
@@ -142,6 +146,7 @@ impl Chain {
             extension,
             slave: f64::INFINITY,
             is_ring: false,
+            own: 0..segments,
             lengths: Vec::with_capacity(segments),
             arc: Vec::with_capacity(segments + 1),
             through: Through::default(),
@@ -168,6 +173,7 @@ impl Chain {
             total += length;
             self.arc.push(total);
         }
+        self.own = 0..self.lengths.len();
         let sound = self.lengths.iter().all(|&length| length > 0.0 && length.is_finite());
         sound && (0.0..0.5).contains(&smoothing) && !extension.is_nan()
     }
@@ -233,6 +239,9 @@ impl Chain {
     pub fn beyond_end(&self, positions: &[[f64; 3]], point: [f64; 3]) -> Option<f64> {
         let point = flat(point);
         let last = self.lengths.len().checked_sub(1)?;
+        if self.own.len() < self.lengths.len() && self.is_ring {
+            return None;
+        }
         let ends = [(0, 0.0), (last, 1.0)].into_iter().filter_map(|(index, end)| {
             let (a, b) = (flat(*positions.get(index)?), flat(*positions.get(index + 1)?));
             let xi = project_line(a, b, point)?;
@@ -246,7 +255,8 @@ impl Chain {
 
     /// The length after which it comes back to its beginning [L], where it does.
     pub fn period(&self) -> Option<f64> {
-        self.is_ring.then(|| self.arc_coordinate(self.lengths.len()))
+        let [from, to] = [self.own.start, self.own.end].map(|node| self.arc_coordinate(node));
+        self.is_ring.then_some(to - from)
     }
 
     /// Whether curves through its nodes take the place of segments where it is round.
@@ -300,7 +310,9 @@ impl Chain {
     /// not turn away at its seam a little, so that what stands there faces one of them.
     fn beyond_ends(&self, positions: &[[f64; 3]]) -> f64 {
         let nodes = [positions.len() - 2, 0, 1].map(|node| positions[node]);
-        let joins = self.is_ring && (self.curve(0).is_some() || is_valley(&nodes, 1));
+        let joins = self.is_ring
+            && self.own.len() == self.segments()
+            && (self.curve(0).is_some() || is_valley(&nodes, 1));
         if joins { self.extension.max(SEAM) } else { self.extension }
     }
 

@@ -125,7 +125,10 @@ pub(super) fn walk(
             return Some(place);
         }
         match mesh.neighbour(face, edge) {
-            None => return (beyond <= extension.max(super::INSIDE)).then_some(place),
+            None => {
+                let allowed = beyond_end(mesh, (face, edge), extension);
+                return (beyond <= allowed).then_some(place);
+            }
             Some(next) if seen.contains(&next) || !may(next) => {
                 return (beyond <= SEAM).then_some(place);
             }
@@ -174,7 +177,7 @@ pub(super) fn keep(
         _ if beyond <= 0.0 => 0.0,
         Some(_) if mesh.is_smoothed_at(face, edge) => SEAM,
         Some(other) => seam(mesh, positions, (face, edge), other),
-        None => extension.max(super::INSIDE),
+        None => beyond_end(mesh, (face, edge), extension),
     };
     let (tangents, _) = patch.frame(&place)?;
     let room = SEAM * size(tangents[0]).max(size(tangents[1]));
@@ -196,6 +199,13 @@ fn seam(mesh: &FaceMesh, positions: &[Vector], (face, edge): (usize, usize), oth
     };
     // f64::min passes over what is no number
     allowed.min(SEAM)
+}
+
+/// Part of a face by which a point may stand beyond an edge at which the surface ends [1]; beyond one in a plane of
+/// symmetry the image of the face goes on.
+fn beyond_end(mesh: &FaceMesh, (face, edge): (usize, usize), extension: f64) -> f64 {
+    let goes_on = if mesh.is_mirrored(face, edge) { SEAM } else { super::INSIDE };
+    extension.max(goes_on)
 }
 
 /// The edge that a place lies farthest beyond, and by how much of the face [1].

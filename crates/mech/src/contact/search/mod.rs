@@ -10,6 +10,7 @@
 //! of the sides of a sharp edge a slave node meets.
 
 pub mod chain;
+mod continued;
 pub mod edges;
 pub mod faces;
 pub mod itself;

@@ -57,16 +57,19 @@ impl Chain {
             Some(tree) => self.nearest_by_tree(positions, tree, point)?,
             None => nearest_node(positions, point)?,
         };
+        let nearest = self.met(nearest);
         let around = nearest.saturating_sub(1)..(nearest + 2).min(self.segments());
         for index in around.clone() {
-            self.consider(positions, point, index, &mut best);
+            // in the order of travel, through the seam of a ring too: ties are decided by it
+            self.consider(positions, point, self.met(index), &mut best);
         }
         let first_limit = best_limit(best.as_ref());
         let mut limit = first_limit;
         let mut rest = |index: usize, reach: f64| {
             let apart = sub(point, flat(positions[index]));
             let near = reach + limit;
-            if dot(apart, apart) <= near * near && !around.contains(&index) {
+            let is_new = self.is_met(index) && !around.contains(&index);
+            if is_new && dot(apart, apart) <= near * near {
                 self.consider(positions, point, index, &mut best);
                 limit = best_limit(best.as_ref());
             }

@@ -155,7 +155,7 @@ impl Contact {
                     let range = *offset..offset + nodes.len();
                     let positions = (&chains[0].nodes[range.clone()], &chains[1].nodes[range]);
                     chain.near_way(chains[0].tree(pair), (way[0], way[1]), near);
-                    let parts = near.iter().copied().filter(stops);
+                    let parts = near.iter().copied().filter(|&p| chain.is_own(p) && stops(&p));
                     cross_parts(positions, parts, (way[0], way[1]), |crossing| {
                         let start = chain.arc_coordinate(crossing.segment);
                         let own = crossing.parameter * chain.reference_length(crossing.segment);

@@ -1,0 +1,243 @@
+//! Planes of symmetry at which a model ends: what lies beyond is its mirror image.
+//!
+//! ```text
+//!            |o----o----        the whole model lies on one side of the plane, elements end in it with a
+//!   mirror   |o    |            face, and every node of elements there is held across the plane, but not
+//!    image   |o----o----        all of them along it: a clamped end is no such plane
+//! ```
+//!
+//! docs/theory.md section 5.3.
+
+use crate::element::block::ElementBlock;
+use crate::model::Model;
+use crate::node::{Dof, NodeIndex};
+use crate::step::Prescribed;
+use slideline_mech::axes::Axes;
+use slideline_mech::vector::{Vector, dot, scale, size, sub};
+use std::collections::{HashMap, HashSet};
+
+/// Distance from a plane up to which a node lies in it, over the size of the model [1]: decks are written with a few
+/// digits.
+const IN_PLANE: f64 = 1e-5;
+/// Sine of the angle up to which two directions are one [1].
+const SAME: f64 = 1e-6;
+
+/// A plane of symmetry.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SymmetryPlane {
+    /// Its unit normal [1].
+    pub normal: Vector,
+    /// How far from the origin it lies along the normal [L].
+    pub level: f64,
+    /// Distance from it up to which a node lies in it [L].
+    pub room: f64,
+}
+
+impl SymmetryPlane {
+    /// Whether a place lies in it.
+    pub fn holds(&self, at: Vector) -> bool {
+        (dot(self.normal, at) - self.level).abs() <= self.room
+    }
+}
+
+/// The nodes of a model by the directions in which they are held.
+struct Held<'a> {
+    model: &'a Model,
+    /// Unit vectors, each node's across one another [1].
+    directions: HashMap<NodeIndex, Vec<Vector>>,
+    /// The same of those in which they move as they are told, or not at all.
+    told: HashMap<NodeIndex, Vec<Vector>>,
+    /// Nodes of elements, each once.
+    nodes: Vec<NodeIndex>,
+    /// Length of the box about these [L].
+    size: f64,
+}
+
+impl Model {
+    /// The planes of symmetry in which some of these nodes lie, the axis of rings among them.
+    pub fn symmetry_planes(&self, nodes: &[NodeIndex]) -> Vec<SymmetryPlane> {
+        let held = Held::new(self);
+        let mut known: Vec<(Vector, (f64, f64))> = Vec::new();
+        let mut tested: Vec<SymmetryPlane> = Vec::new();
+        for &node in nodes {
+            for normal in held.candidates(node) {
+                let place = known.iter().position(|(own, _)| is_same(*own, normal));
+                let place = place.unwrap_or_else(|| {
+                    known.push((normal, held.reach(normal)));
+                    known.len() - 1
+                });
+                let (normal, (low, high)) = known[place];
+                for level in [low, high] {
+                    let plane = SymmetryPlane { normal, level, room: held.room() };
+                    if plane.holds(self.nodes.position(node)) && !tested.contains(&plane) {
+                        tested.push(plane);
+                    }
+                }
+            }
+        }
+        tested.into_iter().filter(|plane| held.ends_in(plane)).collect()
+    }
+}
+
+impl<'a> Held<'a> {
+    fn new(model: &'a Model) -> Self {
+        let mut has = vec![false; model.nodes.len()];
+        parts(model).flat_map(|own| own.elements.iter()).flat_map(|own| own.nodes).for_each(|&n| {
+            has[n] = true;
+        });
+        let nodes: Vec<_> = (0..has.len()).filter(|&node| has[node]).collect();
+        let bounds = |axis: usize| {
+            let all = nodes.iter().map(|&node| model.nodes.position(node)[axis]);
+            let low = all.clone().fold(f64::INFINITY, f64::min);
+            all.fold(f64::NEG_INFINITY, f64::max) - low
+        };
+        let size = if nodes.is_empty() { 0.0 } else { size([0, 1, 2].map(bounds)) };
+        let still = |own: &Prescribed| own.value == 0.0 || own.fixed;
+        let (held, told) = (directions(model, still), directions(model, |_| true));
+        Self { model, directions: held, told, nodes, size }
+    }
+
+    fn room(&self) -> f64 {
+        IN_PLANE * self.size
+    }
+
+    /// Between which levels along a normal the elements lie [L].
+    fn reach(&self, normal: Vector) -> (f64, f64) {
+        let levels = self.nodes.iter().map(|&node| dot(normal, self.model.nodes.position(node)));
+        let low = levels.clone().fold(f64::INFINITY, f64::min);
+        (low, levels.fold(f64::NEG_INFINITY, f64::max))
+    }
+
+    /// Normals that a plane of symmetry through a node may have.
+    fn candidates(&self, node: NodeIndex) -> Vec<Vector> {
+        let mut found = self.directions.get(&node).cloned().unwrap_or_default();
+        if self.is_on_axis(node) && !found.contains(&AXIS) {
+            found.push(AXIS);
+        }
+        found
+    }
+
+    /// Whether a node of rings lies on their axis.
+    fn is_on_axis(&self, node: NodeIndex) -> bool {
+        self.model.is_of_rings() && self.model.nodes.position(node)[0].abs() <= self.room()
+    }
+
+    /// Whether the model ends in a plane as a half of something symmetric does.
+    fn ends_in(&self, plane: &SymmetryPlane) -> bool {
+        let place = |node: &NodeIndex| self.model.nodes.position(*node);
+        let inside: HashSet<_> =
+            self.nodes.iter().copied().filter(|node| plane.holds(place(node))).collect();
+        let is_axis = inside.iter().all(|&node| self.is_on_axis(node));
+        let is_held = |node: &NodeIndex| is_axis || self.holds(*node, plane.normal);
+        let dimension = if self.model.is_in_space() { 3 } else { 2 };
+        let is_free = |node: &NodeIndex| {
+            self.told.get(node).is_none_or(|directions| directions.len() < dimension)
+        };
+        let ends = || {
+            let mut elements = parts(self.model).flat_map(|own| own.elements.iter());
+            elements.any(|own| {
+                own.nodes.iter().filter(|&node| inside.contains(node)).count() >= dimension
+            })
+        };
+        inside.iter().all(is_held) && (is_axis || inside.iter().any(is_free)) && ends()
+    }
+
+    /// Whether a node is held along a direction, by itself or by the rigid body that it belongs to.
+    fn holds(&self, node: NodeIndex, normal: Vector) -> bool {
+        let along = |node: NodeIndex| {
+            let of = self.directions.get(&node)?;
+            Some(of.iter().fold(normal, |left, own| sub(left, scale(*own, dot(left, *own)))))
+        };
+        let is_held = |node: NodeIndex| along(node).is_some_and(|left| size(left) <= SAME);
+        let mut links = self.model.rigid_links.iter().filter(|link| link.dependent == node);
+        is_held(node) || links.any(|link| is_held(link.master))
+    }
+}
+
+/// Direction away from the axis of rings.
+const AXIS: Vector = [1.0, 0.0, 0.0];
+
+/// The elements that bodies are made of.
+fn parts(model: &Model) -> impl Iterator<Item = &ElementBlock> {
+    model.blocks.iter().filter(|block| block.kind.joins())
+}
+
+/// The directions in which nodes are held in every step, by supports like these.
+fn directions(
+    model: &Model,
+    counts: impl Fn(&Prescribed) -> bool,
+) -> HashMap<NodeIndex, Vec<Vector>> {
+    let mut axes: HashMap<NodeIndex, Axes> = HashMap::new();
+    for own in &model.transforms {
+        let at = |node: NodeIndex| own.system.at(model.nodes.position(node));
+        axes.extend(own.nodes.iter().map(|&node| (node, at(node))));
+    }
+    let along = |node: NodeIndex, dof: Dof| match axes.get(&node) {
+        Some(own) => own[dof as usize],
+        None => std::array::from_fn(|axis| f64::from(axis == dof as usize)),
+    };
+    let mut found: HashMap<NodeIndex, Vec<Vector>> = HashMap::new();
+    let held = held(model, counts);
+    for &(node, dof) in &held {
+        add(found.entry(node).or_default(), along(node, dof));
+    }
+    // an equation of one node alone holds it across the vector of its factors
+    for own in &model.linear_constraints {
+        let (node, dof) = own.dependent;
+        let is_alone = own.terms.iter().all(|&(other, dof, _)| other == node && !dof.is_rotation());
+        if own.constant != 0.0 || dof.is_rotation() || !is_alone {
+            continue;
+        }
+        let mut factors = along(node, dof);
+        for &(_, dof, factor) in &own.terms {
+            factors = sub(factors, scale(along(node, dof), factor));
+        }
+        add(found.entry(node).or_default(), factors);
+    }
+    found
+}
+
+/// Whether two normals are one, or opposite.
+fn is_same(a: Vector, b: Vector) -> bool {
+    size(sub(b, scale(a, dot(a, b)))) <= SAME
+}
+
+/// Takes a direction in, as far as it is a new one.
+fn add(directions: &mut Vec<Vector>, new: Vector) {
+    let whole = size(new);
+    let left = directions.iter().fold(new, |left, own| sub(left, scale(*own, dot(left, *own))));
+    let rest = size(left);
+    if rest > SAME * whole {
+        directions.push(scale(left, 1.0 / rest));
+    }
+}
+
+/// Displacements that are held in every step, in the order of the deck, and those that follow such ones.
+fn held(model: &Model, counts: impl Fn(&Prescribed) -> bool) -> Vec<(NodeIndex, Dof)> {
+    let Some(first) = model.steps.first() else { return Vec::new() };
+    let of = |own: &Prescribed| (own.node, own.dof);
+    let mut known: Option<HashSet<(NodeIndex, Dof)>> = None;
+    for step in &model.steps {
+        let own = step.prescribed.iter().filter(|own| counts(own)).map(of).collect::<HashSet<_>>();
+        known = Some(known.map_or(own.clone(), |known| &known & &own));
+    }
+    let mut known = known.unwrap_or_default();
+    let mut all: Vec<_> =
+        first.prescribed.iter().map(of).filter(|own| known.contains(own)).collect();
+    all.retain(|(_, dof)| !dof.is_rotation());
+    loop {
+        let follows = model.linear_constraints.iter().filter(|own| {
+            let mut terms = own.terms.iter();
+            own.constant == 0.0
+                && !own.dependent.1.is_rotation()
+                && terms.all(|&(node, dof, _)| known.contains(&(node, dof)))
+        });
+        let new: Vec<_> =
+            follows.map(|own| own.dependent).filter(|own| !known.contains(own)).collect();
+        if new.is_empty() {
+            return all;
+        }
+        known.extend(new.iter().copied());
+        all.extend(new);
+    }
+}
