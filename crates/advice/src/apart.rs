@@ -59,10 +59,9 @@ fn is_one_of_many(start: &Start<'_>, pair: &ContactPair) -> bool {
     start.model.contact_pairs.iter().filter(|other| other.origin == pair.origin).count() > 1
 }
 
-/// Whether the body of a slave stands in another one, or the other one in it: then the gap between faces is none.
+/// Whether bodies of both sides of a pair stand in one another: then the gap between faces is none.
 fn begins_inside(start: &Start<'_>, pair: &ContactPair) -> bool {
-    let own = pair.slave_places().next().map(|node| start.bodies.of_node(node));
-    start.standing_in.iter().any(|two| own.is_some_and(|own| two.bodies.contains(&own)))
+    start.standing_in.iter().any(|two| start.brings(pair, two.bodies))
 }
 
 /// Whether nothing but prescribed motions moves anything.

@@ -15,20 +15,26 @@ const OVERCLOSED: f64 = 1e-9;
 /// SL0411: solids that are there twice, and bodies that stand in one another where no contact sees it.
 pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
     findings.extend(twice(start.model));
-    for own in &start.standing_in {
-        let is_seen = |row: &ContactRow| {
-            row.opening < -OVERCLOSED * start.reach
-                && own.bodies.contains(&start.bodies.of_node(row.node))
-        };
-        if !start.points.iter().any(is_seen) {
-            findings.push(Finding::said(say(own, start.model)));
-        }
-    }
+    let is_overclosed = |row: &&ContactRow| row.opening < -OVERCLOSED * start.reach;
+    let overclosed: Vec<&ContactRow> = start.points.iter().filter(is_overclosed).collect();
+    let is_seen = |own: &StandingIn| {
+        let of_both = |row: &&&ContactRow| own.bodies.contains(&start.bodies.of_node(row.node));
+        let mut pairs = overclosed.iter().filter(of_both).map(|row| row.pair).collect::<Vec<_>>();
+        pairs.dedup();
+        pairs.iter().any(|&pair| start.brings(&start.model.contact_pairs[pair], own.bodies))
+    };
+    let unseen: Vec<&StandingIn> = start.standing_in.iter().filter(|own| !is_seen(own)).collect();
+    let first = unseen.first().map(|own| Finding::said(say(own, unseen.len() - 1, start.model)));
+    findings.extend(first);
 }
 
-fn say(own: &StandingIn, model: &Model) -> Diagnostic {
+fn say(own: &StandingIn, others: usize, model: &Model) -> Diagnostic {
+    let more = match others {
+        0 => String::new(),
+        others => format!(" (and {others} more pairs of bodies)"),
+    };
     let message = format!(
-        "solid {} stands in solid {} of another body: the bodies begin in one another, no contact sees \
+        "solid {} stands in solid {} of another body{more}: the bodies begin in one another, no contact sees \
          it, and they pass through one another",
         own.inner.0, own.outer
     );

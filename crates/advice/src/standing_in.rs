@@ -17,8 +17,8 @@ use slideline_model::{Element, ElementBlock, ElementIndex, Kinematics, Model, No
 use std::collections::{BTreeMap, HashSet};
 
 /// Part of the way from a corner to the middle of its element at which the element is looked at [1]: off all
-/// nodes, edges and faces of a mesh of the same grid.
-const INWARDS: f64 = 0.29;
+/// nodes, edges and faces of a mesh of the same grid, and deeper than sides of round layers stand in one another.
+const INWARDS: f64 = 0.77;
 /// Distance from a cell at which a point is inside, in sizes of the model [1].
 const UPON: f64 = 1e-9;
 
@@ -49,30 +49,22 @@ pub fn standing_in(model: &Model, bodies: &Bodies, reach: f64) -> Vec<StandingIn
     if !several {
         return Vec::new();
     }
-    let mut of_bodies: BTreeMap<NodeIndex, Bounds<3>> = BTreeMap::new();
-    for own in &solids {
-        let about = own.bounds();
-        let all = of_bodies.entry(own.body).or_insert(about);
-        *all = joined(*all, about);
-    }
-    let tree = BoxTree::<3>::new(solids.len(), |place| solids[place].bounds());
+    let bounds: Vec<Bounds<3>> = solids.iter().map(Solid::bounds).collect();
+    let tree = BoxTree::<3>::new(solids.len(), |place| bounds[place]);
     let mut found: BTreeMap<[NodeIndex; 2], StandingIn> = BTreeMap::new();
-    for own in &solids {
-        let is_near = |(&body, with): (&NodeIndex, &Bounds<3>)| {
-            body != own.body && overlap(with, &own.bounds())
-        };
-        if !of_bodies.iter().any(is_near) {
-            continue;
-        }
-        for point in own.points() {
-            tree.within(point, 0.0, |place| {
-                let other = &solids[place];
-                if other.body != own.body && other.holds(point, UPON * reach) {
-                    let bodies = [own.body.min(other.body), own.body.max(other.body)];
-                    let inner = (own.label, own.origin);
-                    found.entry(bodies).or_insert(StandingIn { bodies, inner, outer: other.label });
-                }
-            });
+    let mut near = Vec::new();
+    for (own, &about) in solids.iter().zip(&bounds) {
+        near.clear();
+        tree.overlapping(about, |place| near.push(place));
+        for other in near.iter().map(|&place| &solids[place]).filter(|other| other.body != own.body)
+        {
+            let bodies = [own.body.min(other.body), own.body.max(other.body)];
+            if !found.contains_key(&bodies)
+                && own.points().any(|point| other.holds(point, UPON * reach))
+            {
+                let inner = (own.label, own.origin);
+                found.insert(bodies, StandingIn { bodies, inner, outer: other.label });
+            }
         }
     }
     found.into_values().collect()
@@ -126,8 +118,4 @@ impl Solid {
 fn joined(a: Bounds<3>, b: Bounds<3>) -> Bounds<3> {
     let of = |k: usize| (a.0[k].min(b.0[k]), a.1[k].max(b.1[k]));
     (std::array::from_fn(|k| of(k).0), std::array::from_fn(|k| of(k).1))
-}
-
-fn overlap(a: &Bounds<3>, b: &Bounds<3>) -> bool {
-    (0..3).all(|k| a.0[k] <= b.1[k] && b.0[k] <= a.1[k])
 }

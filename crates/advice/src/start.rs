@@ -63,6 +63,15 @@ impl<'a> Start<'a> {
         self.points.iter().filter(move |row| row.pair == pair && row.opening.is_finite())
     }
 
+    /// Whether a contact pair has these two bodies on its sides.
+    pub fn brings(&self, pair: &ContactPair, bodies: [NodeIndex; 2]) -> bool {
+        let of_body = |body: NodeIndex| move |node: NodeIndex| self.bodies.of_node(node) == body;
+        let is_slave = |body| pair.slave_places().any(of_body(body));
+        let is_master = |body| pair.master.deforming_nodes().into_iter().any(of_body(body));
+        let [one, other] = bodies;
+        is_slave(one) && is_master(other) || is_slave(other) && is_master(one)
+    }
+
     /// The point of a pair with the smallest gap.
     pub fn nearest(&self, pair: usize) -> Option<&ContactRow> {
         self.facing(pair).min_by(|a, b| a.opening.total_cmp(&b.opening))

@@ -140,9 +140,13 @@ impl Integrals<f64> {
             let faced = master.blend(&master.shapes(master.crossed(at, normal)?).value);
             Some(dot(sub(faced, at), normal))
         };
-        let bounds = self.spans.iter().enumerate().flat_map(|(k, span)| span.map(|t| (k, t)));
+        // what goes over into what is left out went in elsewhere
+        let is_whole = |segment: usize| segments[segment].counts == 1.0;
+        let bounds = self.spans.iter().enumerate().filter(|&(segment, _)| is_whole(segment));
+        let bounds = bounds.flat_map(|(segment, span)| span.map(|t| (segment, t)));
         let of_station = |station: &Station<f64>| -dot(station.apart, station.normal);
-        let all = bounds.filter_map(gap).chain(self.stations.iter().map(of_station));
+        let stations = self.stations.iter().filter(|own| is_whole(own.segment));
+        let all = bounds.filter_map(gap).chain(stations.map(of_station));
         let least = all.reduce(f64::min)?;
         let area: f64 = self.stations.iter().map(|own| self.area(own)).sum();
         let sum: f64 = self.stations.iter().map(|own| self.area(own) * of_station(own)).sum();

@@ -103,7 +103,7 @@ impl PieceEnds {
         for (k, &from) in corners.iter().enumerate() {
             let along = flat_sub(corners[(k + 1) % corners.len()], from);
             let length = along[0].hypot(along[1]);
-            if self.edges[k] {
+            if self.edges[k] && length > 0.0 {
                 let by_edge = |at| flat_cross(along, flat_sub(at, from)) / length;
                 least = farthest(&by_edge).min(least);
             }
