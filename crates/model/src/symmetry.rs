@@ -2,16 +2,16 @@
 //!
 //! ```text
 //!            |o----o----        the whole model lies on one side of the plane, elements end in it with a
-//!   mirror   |o    |            face, and every node of elements there is held across the plane, but not
-//!    image   |o----o----        all of them along it: a clamped end is no such plane
+//!   mirror   |o    |            face, and every node of elements there is held across the plane, but those that
+//!    image   |o----o----        are asked for not along it: a clamped end is no such plane
 //! ```
 //!
 //! docs/theory.md section 5.3.
 
 use crate::element::block::ElementBlock;
 use crate::model::Model;
-use crate::node::{Dof, NodeIndex};
-use crate::step::Prescribed;
+use crate::node::{Dof, NodeIndex, RigidLink};
+use crate::step::{Prescribed, Step};
 use slideline_mech::axes::Axes;
 use slideline_mech::vector::{Vector, dot, scale, size, sub};
 use std::collections::{HashMap, HashSet};
@@ -19,8 +19,10 @@ use std::collections::{HashMap, HashSet};
 /// Distance from a plane up to which a node lies in it, over the size of the model [1]: decks are written with a few
 /// digits.
 const IN_PLANE: f64 = 1e-5;
-/// Sine of the angle up to which two directions are one [1].
-const SAME: f64 = 1e-6;
+/// Sine of the angle up to which two directions are one [1], for the same reason.
+const SAME: f64 = 1e-5;
+/// Directions whose parts agree in so many steps of one are counted together [1].
+const STEPS: f64 = 1e3;
 
 /// A plane of symmetry.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,8 +47,12 @@ struct Held<'a> {
     model: &'a Model,
     /// Unit vectors, each node's across one another [1].
     directions: HashMap<NodeIndex, Vec<Vector>>,
-    /// The same of those in which they move as they are told, or not at all.
+    /// The same of those in which they move in some step as they are told, or not at all.
     told: HashMap<NodeIndex, Vec<Vector>>,
+    /// Nodes that do not turn in any step.
+    still: HashSet<NodeIndex>,
+    /// What hangs on rigid links.
+    links: HashMap<NodeIndex, &'a RigidLink>,
     /// Nodes of elements, each once.
     nodes: Vec<NodeIndex>,
     /// Length of the box about these [L].
@@ -59,19 +65,18 @@ impl Model {
         let held = Held::new(self);
         let mut known: Vec<(Vector, (f64, f64))> = Vec::new();
         let mut tested: Vec<SymmetryPlane> = Vec::new();
-        for &node in nodes {
-            for normal in held.candidates(node) {
-                let place = known.iter().position(|(own, _)| is_same(*own, normal));
-                let place = place.unwrap_or_else(|| {
-                    known.push((normal, held.reach(normal)));
-                    known.len() - 1
-                });
-                let (normal, (low, high)) = known[place];
-                for level in [low, high] {
-                    let plane = SymmetryPlane { normal, level, room: held.room() };
-                    if plane.holds(self.nodes.position(node)) && !tested.contains(&plane) {
-                        tested.push(plane);
-                    }
+        let candidates = held.shared_candidates(nodes);
+        for (node, normal) in candidates {
+            let place = known.iter().position(|(own, _)| is_same(*own, normal));
+            let place = place.unwrap_or_else(|| {
+                known.push((normal, held.reach(normal)));
+                known.len() - 1
+            });
+            let (normal, (low, high)) = known[place];
+            for level in [low, high] {
+                let plane = SymmetryPlane { normal, level, room: held.room() };
+                if plane.holds(self.nodes.position(node)) && !tested.contains(&plane) {
+                    tested.push(plane);
                 }
             }
         }
@@ -93,8 +98,14 @@ impl<'a> Held<'a> {
         };
         let size = if nodes.is_empty() { 0.0 } else { size([0, 1, 2].map(bounds)) };
         let still = |own: &Prescribed| own.value == 0.0 || own.fixed;
-        let (held, told) = (directions(model, still), directions(model, |_| true));
-        Self { model, directions: held, told, nodes, size }
+        let (held, told) =
+            (directions(model, still, in_every), directions(model, |_| true, in_any));
+        let links = model.rigid_links.iter().map(|link| (link.dependent, link)).collect();
+        Self { model, directions: held, told, still: unturned(model), links, nodes, size }
+    }
+
+    fn dimension(&self) -> usize {
+        if self.model.is_in_space() { 3 } else { 2 }
     }
 
     fn room(&self) -> f64 {
@@ -108,13 +119,32 @@ impl<'a> Held<'a> {
         (low, levels.fold(f64::NEG_INFINITY, f64::max))
     }
 
-    /// Normals that a plane of symmetry through a node may have.
-    fn candidates(&self, node: NodeIndex) -> Vec<Vector> {
-        let mut found = self.directions.get(&node).cloned().unwrap_or_default();
-        if self.is_on_axis(node) && !found.contains(&AXIS) {
-            found.push(AXIS);
-        }
-        found
+    /// Normals that a plane of symmetry through one of these nodes may have, with the node. In space a surface that ends
+    /// in a plane has two nodes there at least: what one node alone is held along, as of a cylinder, is none.
+    fn shared_candidates(&self, nodes: &[NodeIndex]) -> Vec<(NodeIndex, Vector)> {
+        let all =
+            || nodes.iter().flat_map(|&node| self.candidates(node).map(move |own| (node, own)));
+        let key = |normal: Vector| {
+            let first = normal.iter().find(|part| part.abs() > SAME).copied().unwrap_or(1.0);
+            normal.map(|part| (STEPS * part * first.signum()).round() as i64)
+        };
+        let mut count: HashMap<[i64; 3], usize> = HashMap::new();
+        all().for_each(|(_, normal)| *count.entry(key(normal)).or_default() += 1);
+        let least = self.dimension() - 1;
+        all().filter(|(_, normal)| count[&key(*normal)] >= least).collect()
+    }
+
+    /// Normals that a plane of symmetry through a node may have, which is free along it.
+    fn candidates(&self, node: NodeIndex) -> impl Iterator<Item = Vector> + '_ {
+        let is_free = self.is_free(node) && !self.links.contains_key(&node);
+        let own = self.directions.get(&node).filter(|_| is_free).into_iter().flatten().copied();
+        let is_axis = self.is_on_axis(node);
+        own.filter(move |own| !(is_axis && is_same(*own, AXIS))).chain(is_axis.then_some(AXIS))
+    }
+
+    /// Whether a node moves on its own in some direction, in all steps.
+    fn is_free(&self, node: NodeIndex) -> bool {
+        self.told.get(&node).is_none_or(|own| own.len() < self.dimension())
     }
 
     /// Whether a node of rings lies on their axis.
@@ -128,29 +158,50 @@ impl<'a> Held<'a> {
         let inside: HashSet<_> =
             self.nodes.iter().copied().filter(|node| plane.holds(place(node))).collect();
         let is_axis = inside.iter().all(|&node| self.is_on_axis(node));
+        if self.model.is_of_rings() && !is_axis && dot(plane.normal, AXIS).abs() > SAME {
+            return false; // a cylinder or a cone
+        }
         let is_held = |node: &NodeIndex| is_axis || self.holds(*node, plane.normal);
-        let dimension = if self.model.is_in_space() { 3 } else { 2 };
-        let is_free = |node: &NodeIndex| {
-            self.told.get(node).is_none_or(|directions| directions.len() < dimension)
-        };
         let ends = || {
-            let mut elements = parts(self.model).flat_map(|own| own.elements.iter());
-            elements.any(|own| {
-                own.nodes.iter().filter(|&node| inside.contains(node)).count() >= dimension
+            parts(self.model).any(|block| {
+                let cell = block.kind.cell;
+                let corners = |face: &[usize]| corners_of(cell.dimension, face.len());
+                block.elements.iter().any(|own| {
+                    let is_in = |&k: &usize| inside.contains(&own.nodes[k]);
+                    cell.faces.iter().any(|face| face[..corners(face)].iter().all(is_in))
+                })
             })
         };
-        inside.iter().all(is_held) && (is_axis || inside.iter().any(is_free)) && ends()
+        inside.iter().all(is_held) && ends()
     }
 
-    /// Whether a node is held along a direction, by itself or by the rigid body that it belongs to.
+    /// Whether a node is held along a direction, by itself or by the rigid body that it belongs to, which does not turn.
     fn holds(&self, node: NodeIndex, normal: Vector) -> bool {
-        let along = |node: NodeIndex| {
-            let of = self.directions.get(&node)?;
-            Some(of.iter().fold(normal, |left, own| sub(left, scale(*own, dot(left, *own)))))
+        let is_held = |node: NodeIndex| {
+            self.directions.get(&node).is_some_and(|of| {
+                let left =
+                    of.iter().fold(normal, |left, own| sub(left, scale(*own, dot(left, *own))));
+                size(left) <= SAME
+            })
         };
-        let is_held = |node: NodeIndex| along(node).is_some_and(|left| size(left) <= SAME);
-        let mut links = self.model.rigid_links.iter().filter(|link| link.dependent == node);
-        is_held(node) || links.any(|link| is_held(link.master))
+        let by_link = |link: &&&RigidLink| {
+            let moves = &link.follows[..self.dimension()];
+            moves.iter().all(|&follows| follows)
+                && link.turn.is_none()
+                && self.still.contains(&link.master)
+        };
+        let link = self.links.get(&node).filter(by_link);
+        is_held(node) || link.is_some_and(|link| is_held(link.master))
+    }
+}
+
+/// How many nodes of a face of so many nodes are corners; the corners stand first.
+fn corners_of(dimension: usize, nodes: usize) -> usize {
+    match (dimension, nodes) {
+        (3, 6) => 3,
+        (3, 8) => 4,
+        (3, other) => other,
+        _ => 2,
     }
 }
 
@@ -162,10 +213,46 @@ fn parts(model: &Model) -> impl Iterator<Item = &ElementBlock> {
     model.blocks.iter().filter(|block| block.kind.joins())
 }
 
-/// The directions in which nodes are held in every step, by supports like these.
+/// Displacements that are known of every step.
+fn in_every(
+    known: HashSet<(NodeIndex, Dof)>,
+    of_step: &HashSet<(NodeIndex, Dof)>,
+) -> HashSet<(NodeIndex, Dof)> {
+    &known & of_step
+}
+
+/// Displacements that are known of some step.
+fn in_any(
+    known: HashSet<(NodeIndex, Dof)>,
+    of_step: &HashSet<(NodeIndex, Dof)>,
+) -> HashSet<(NodeIndex, Dof)> {
+    &known | of_step
+}
+
+/// How what is known of steps comes together.
+type Together =
+    fn(HashSet<(NodeIndex, Dof)>, &HashSet<(NodeIndex, Dof)>) -> HashSet<(NodeIndex, Dof)>;
+
+/// Nodes whose rotations are held at zero in every step.
+fn unturned(model: &Model) -> HashSet<NodeIndex> {
+    let all = if model.is_in_space() { &[Dof::UR1, Dof::UR2, Dof::UR3][..] } else { &[Dof::UR3] };
+    let is_still = |step: &Step, node: NodeIndex, dof: Dof| {
+        let mut own = step.prescribed.iter().filter(|own| (own.node, own.dof) == (node, dof));
+        own.any(|own| own.value == 0.0 || own.fixed)
+    };
+    let masters: HashSet<_> = model.rigid_links.iter().map(|link| link.master).collect();
+    let is_unturned = |node: &NodeIndex| {
+        let steps = || model.steps.iter();
+        all.iter().all(|&dof| steps().all(|step| is_still(step, *node, dof)))
+    };
+    masters.into_iter().filter(is_unturned).collect()
+}
+
+/// The directions in which nodes are held by supports like these, in steps that come together so.
 fn directions(
     model: &Model,
     counts: impl Fn(&Prescribed) -> bool,
+    together: Together,
 ) -> HashMap<NodeIndex, Vec<Vector>> {
     let mut axes: HashMap<NodeIndex, Axes> = HashMap::new();
     for own in &model.transforms {
@@ -177,7 +264,7 @@ fn directions(
         None => std::array::from_fn(|axis| f64::from(axis == dof as usize)),
     };
     let mut found: HashMap<NodeIndex, Vec<Vector>> = HashMap::new();
-    let held = held(model, counts);
+    let held = held(model, counts, together);
     for &(node, dof) in &held {
         add(found.entry(node).or_default(), along(node, dof));
     }
@@ -212,18 +299,25 @@ fn add(directions: &mut Vec<Vector>, new: Vector) {
     }
 }
 
-/// Displacements that are held in every step, in the order of the deck, and those that follow such ones.
-fn held(model: &Model, counts: impl Fn(&Prescribed) -> bool) -> Vec<(NodeIndex, Dof)> {
-    let Some(first) = model.steps.first() else { return Vec::new() };
+/// Displacements that are held, in the order of the deck, and those that follow such ones.
+fn held(
+    model: &Model,
+    counts: impl Fn(&Prescribed) -> bool,
+    together: Together,
+) -> Vec<(NodeIndex, Dof)> {
     let of = |own: &Prescribed| (own.node, own.dof);
     let mut known: Option<HashSet<(NodeIndex, Dof)>> = None;
     for step in &model.steps {
         let own = step.prescribed.iter().filter(|own| counts(own)).map(of).collect::<HashSet<_>>();
-        known = Some(known.map_or(own.clone(), |known| &known & &own));
+        known = Some(match known {
+            Some(known) => together(known, &own),
+            None => own,
+        });
     }
     let mut known = known.unwrap_or_default();
-    let mut all: Vec<_> =
-        first.prescribed.iter().map(of).filter(|own| known.contains(own)).collect();
+    let mut listed = HashSet::new();
+    let steps = model.steps.iter().flat_map(|step| &step.prescribed).map(of);
+    let mut all: Vec<_> = steps.filter(|own| known.contains(own) && listed.insert(*own)).collect();
     all.retain(|(_, dof)| !dof.is_rotation());
     loop {
         let follows = model.linear_constraints.iter().filter(|own| {

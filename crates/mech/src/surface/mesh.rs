@@ -250,6 +250,13 @@ impl FaceMesh {
         !self.joined[face].stars.is_empty() && !apart(&self.ends) && !apart(&self.drawn)
     }
 
+    /// Whether its faces follow the same nodes as those of another one.
+    pub fn follows_as(&self, other: &Self) -> bool {
+        let mut both = self.joined.iter().zip(&other.joined);
+        self.joined.len() == other.joined.len()
+            && both.all(|(one, other)| one.stencil == other.stencil)
+    }
+
     /// Normals of the planes of symmetry at which it ends [1].
     pub fn planes(&self) -> &[Vector] {
         &self.planes

@@ -57,8 +57,10 @@ impl Reflected {
                 continue;
             };
             let copies = all.reflect((mirror.normal, through), &inside[place]);
-            for own in &mut inside {
-                let images = copies.iter().map(|&node| own[node]).collect::<Vec<_>>();
+            for (own, other) in inside.iter_mut().zip(mirrors) {
+                // an image lies in another plane with its node where both planes are across one another
+                let is_across = dot(mirror.normal, other.normal).abs() <= NOTHING;
+                let images = copies.iter().map(|&node| is_across && own[node]).collect::<Vec<_>>();
                 own.extend(images);
             }
         }

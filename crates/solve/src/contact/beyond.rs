@@ -51,6 +51,9 @@ impl Beyond {
             all.counts = [count; 2];
             return all;
         }
+        if planes.is_empty() {
+            return all;
+        }
         let images = |own: &[ChainNode], normal| -> Vec<ChainNode> {
             let through = own[0].0;
             own[1..=count].iter().map(|&(at, dofs)| (image(at, (normal, through)), dofs)).collect()

@@ -6,15 +6,17 @@ use slideline_mech::contact::search::chain::Chain;
 use slideline_mech::contact::search::itself::{Itself, Run, listed};
 use slideline_model::{Model, NodeIndex, OwnSurface, SlideLine, SurfaceRun, SymmetryPlane};
 
-/// The nodes of a line with those that continue it, where something may.
+/// The nodes of a line with those that continue it, where something may, in a list that is used again.
 pub(super) fn continued(
     (model, dofs): (&Model, &DofMap),
     (line, planes): (&SlideLine, Option<&[SymmetryPlane]>),
-) -> (Vec<ChainNode>, Beyond) {
+    nodes: &mut Vec<ChainNode>,
+) -> Beyond {
     let at = |node: NodeIndex| (model.nodes.get(node).position, dofs.translations(node));
-    let mut nodes: Vec<_> = line.nodes.iter().map(|&node| at(node)).collect();
-    let beyond = planes.map(|planes| Beyond::continued(&mut nodes, line.is_ring(), planes));
-    (nodes, beyond.unwrap_or_default())
+    nodes.clear();
+    nodes.extend(line.nodes.iter().map(|&node| at(node)));
+    let beyond = planes.map(|planes| Beyond::continued(nodes, line.is_ring(), planes));
+    beyond.unwrap_or_default()
 }
 
 /// The nodes of a surface that meets itself in the order of its list.

@@ -95,7 +95,8 @@ impl MasterSurface {
         (line, planes): (&SlideLine, Option<&[SymmetryPlane]>),
         (offset, slave): (usize, f64),
     ) -> MasterSurface {
-        let (nodes, beyond) = continued((model, dofs), (line, planes));
+        let mut nodes = Vec::new();
+        let beyond = continued((model, dofs), (line, planes), &mut nodes);
         let reference: Vec<_> = nodes.iter().map(|(at, _)| *at).collect();
         match Chain::new(&reference, line.smooth, line.extension) {
             Some(mut chain) => {

@@ -182,11 +182,11 @@ impl Contact {
                 true
             }
             (MasterSurface::Line { chain, nodes, beyond, .. }, Master::SlideLine(line)) => {
-                let (new, now) = continued((model, dofs), (line, planes));
-                if new.len() != nodes.len() {
+                let before = (nodes.len(), beyond.counts);
+                *beyond = continued((model, dofs), (line, planes), nodes);
+                if (nodes.len(), beyond.counts) != before {
                     return false;
                 }
-                (*nodes, *beyond) = (new, now);
                 let places = || nodes.iter().map(|(at, _)| *at);
                 let lengths = places().zip(places().skip(1)).map(|(a, b)| size(sub(b, a)));
                 (chain.slave, chain.is_ring) = (slave, line.is_ring());
@@ -197,7 +197,10 @@ impl Contact {
                 chain.continue_by(beyond.counts);
                 whole
             }
-            (MasterSurface::Faces { mesh, nodes, extension, itself, .. }, Master::Faces(faces)) => {
+            (
+                MasterSurface::Faces { mesh, nodes, extension, itself, offset },
+                Master::Faces(faces),
+            ) => {
                 *extension = faces.extension;
                 if let Some(said) = &faces.swept {
                     let Some(swept) = swept_profile(said) else { return false };
@@ -207,6 +210,17 @@ impl Contact {
                 }
                 for ((position, _), node) in nodes.iter_mut().zip(faces.nodes()) {
                     *position = model.nodes.get(node).position;
+                }
+                let planes = planes.unwrap_or_default();
+                if !(planes.is_empty() && mesh.planes().is_empty()) {
+                    // what smooths it follows where its images stand
+                    let made =
+                        MasterSurface::faces((model, dofs), (faces, planes), (*offset, slave));
+                    let MasterSurface::Faces { mesh: made, .. } = made else { return false };
+                    if !mesh.follows_as(&made) {
+                        return false;
+                    }
+                    *mesh = made;
                 }
                 if let Some(own) = itself {
                     own.take(mesh, nodes.iter().map(|(at, _)| *at));

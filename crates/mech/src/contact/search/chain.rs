@@ -238,11 +238,12 @@ impl Chain {
     /// the nearer end; `None` where no end lies behind it.
     pub fn beyond_end(&self, positions: &[[f64; 3]], point: [f64; 3]) -> Option<f64> {
         let point = flat(point);
-        let last = self.lengths.len().checked_sub(1)?;
         if self.own.len() < self.lengths.len() && self.is_ring {
             return None;
         }
-        let ends = [(0, 0.0), (last, 1.0)].into_iter().filter_map(|(index, end)| {
+        let part = self.met_part();
+        let last = part.end.checked_sub(1)?;
+        let ends = [(part.start, 0.0), (last, 1.0)].into_iter().filter_map(|(index, end)| {
             let (a, b) = (flat(*positions.get(index)?), flat(*positions.get(index + 1)?));
             let xi = project_line(a, b, point)?;
             let beyond = if end == 0.0 { xi < 0.0 } else { xi > 1.0 };

@@ -2,12 +2,13 @@
 //!
 //! ```text
 //!    4 5 [0 1 2 3 4 5] 0 1      a ring is met at its own segments; those beside its seam tell its curves there
-//!    1'0'[0 1 2 3 . .           an image is met too
+//!    2'1'[0 1 2 3 . .           of an image the segment beside the plane is met, for what stands upon that
 //! ```
 //!
 //! docs/theory.md section 5.3.
 
 use super::chain::{Chain, Piece, PieceKind};
+use std::ops::Range;
 
 impl Chain {
     /// So many segments before and behind continue it: the arc begins behind the former, and what a ring is met at are
@@ -23,15 +24,29 @@ impl Chain {
         self.own.contains(&index)
     }
 
-    /// Whether points are met at a segment, and at the corner where that begins: a ring has each once.
-    pub(super) fn is_met(&self, index: usize) -> bool {
-        !self.is_ring || self.is_own(index)
+    /// The segments at which points are met, and the corners where they begin: a ring has each once, and what goes
+    /// farther beyond a plane of symmetry than its first segment has left the model.
+    pub(super) fn met_part(&self) -> Range<usize> {
+        match self.is_ring {
+            true => self.own.clone(),
+            false => self.own.start.saturating_sub(1)..(self.own.end + 1).min(self.lengths.len()),
+        }
     }
 
-    /// The segment of a ring, or the node at which that begins, for which one that continues it stands.
+    /// Whether points are met at a segment.
+    pub(super) fn is_met(&self, index: usize) -> bool {
+        self.met_part().contains(&index)
+    }
+
+    /// The segment of a ring, or the node at which that begins, for which one that continues it stands; of an image the
+    /// nearest one that is met.
     pub(super) fn met(&self, index: usize) -> usize {
         match self.is_met(index) {
             true => index,
+            false if !self.is_ring => {
+                let part = self.met_part();
+                index.clamp(part.start, part.end.saturating_sub(1).max(part.start))
+            }
             false => {
                 let (start, count) = (self.own.start, self.own.len());
                 start + (index + count - start % count) % count
