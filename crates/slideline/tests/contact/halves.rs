@@ -217,7 +217,7 @@ fn planes(half: &Cut, held: &str) -> usize {
 }
 
 /// Requirement: a plane is one of symmetry where all nodes in it are held across it and not all of them along it, by
-/// supports or by equations, and the model lies on one side of it; a clamped or a driven end is none.
+/// supports, and the model lies on one side of it; a clamped or a driven end is none.
 #[test]
 fn clamped_ends_are_no_planes_of_symmetry() {
     let half = Cut { across: [true, false], angle: 0.3, ..WHOLE };
@@ -234,6 +234,40 @@ fn clamped_ends_are_no_planes_of_symmetry() {
     let quarter = Cut { is_in_space: true, across: [true; 2], ..WHOLE };
     assert_eq!(planes(&quarter, "X0, 1, 1\nY0, 2, 2\n"), 2);
     assert_eq!(planes(&quarter, "X0, 1, 1\n"), 1);
+}
+
+/// Requirement: what is held about another part counts, and what the end of the master itself does: one that is clamped, in
+/// whichever step, is no plane though a part beside it rolls there; nor is the outer side of a disc that is held all round.
+#[test]
+fn what_ends_there_is_asked_itself() {
+    let half = Cut { across: [true, false], ..WHOLE };
+    let rim = Cut::label([0, 0, LAYERS], 0);
+    let clamped = |step: &str| format!("X0, 1, 1\n{step}{rim}, 2, 2\n");
+    assert_eq!(planes(&half, &clamped("")), 0, "the rim itself");
+    let found = |deck: &str| {
+        let model = Job::read_text("half", deck, &ReadOptions::default()).model.unwrap();
+        model.symmetry_planes(&model.contact_pairs[0].master.deforming_nodes()).len()
+    };
+    let deck = half.deck("X0, 1, 1\n");
+    assert_eq!(found(&deck), 1);
+    let later =
+        format!("{deck}\n*STEP, NLGEOM\n*STATIC\n1., 1.\n*BOUNDARY\n{rim}, 2, 2\n*END STEP");
+    assert_eq!(found(&later), 0, "in a later step");
+    let rings = deck.replace("CPS4", "CAX4");
+    assert_eq!(found(&rings), 1, "the axis");
+    let moved: String = rings.lines().map(|line| moved_off(line) + "\n").collect();
+    assert_eq!(found(&moved), 0, "a cylinder");
+}
+
+/// A line of a deck, its node moved away from the axis.
+fn moved_off(line: &str) -> String {
+    let parts: Vec<&str> = line.split(',').map(str::trim).collect();
+    match parts[..] {
+        [label, x, y, _] if label.parse::<u64>().is_ok() && x.contains('.') => {
+            format!("{label}, {:?}, {y}", x.parse::<f64>().unwrap() + 5.0)
+        }
+        _ => line.to_owned(),
+    }
 }
 
 /// A ring of four-node elements about a disc with a hole that is pushed aside in it; the ring begins at a place of its own.
