@@ -234,26 +234,6 @@ impl Chain {
         (1.0 + self.extension + bulge) * reach.sqrt()
     }
 
-    /// Overclosure [L] that a point beyond an end would have against the straight line that prolongs
-    /// the nearer end; `None` where no end lies behind it.
-    pub fn beyond_end(&self, positions: &[[f64; 3]], point: [f64; 3]) -> Option<f64> {
-        let point = flat(point);
-        if self.own.len() < self.lengths.len() && self.is_ring {
-            return None;
-        }
-        let part = self.met_part();
-        let last = part.end.checked_sub(1)?;
-        let ends = [(part.start, 0.0), (last, 1.0)].into_iter().filter_map(|(index, end)| {
-            let (a, b) = (flat(*positions.get(index)?), flat(*positions.get(index + 1)?));
-            let xi = project_line(a, b, point)?;
-            let beyond = if end == 0.0 { xi < 0.0 } else { xi > 1.0 };
-            let apart = sub(point, if end == 0.0 { a } else { b });
-            let overclosure = -cross(sub(b, a), sub(point, a)) / sub(b, a)[0].hypot(sub(b, a)[1]);
-            beyond.then_some((dot(apart, apart), overclosure))
-        });
-        ends.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, overclosure)| overclosure)
-    }
-
     /// The length after which it comes back to its beginning [L], where it does.
     pub fn period(&self) -> Option<f64> {
         let [from, to] = [self.own.start, self.own.end].map(|node| self.arc_coordinate(node));
