@@ -26,6 +26,9 @@ const NOTHING: f64 = 1e-12;
 /// A term of a row: a dof that is followed, and how much.
 type Term = (NodeIndex, Dof, f64);
 
+/// What the displacements of a node make of a turn: a matrix [1/L].
+type NodeTurn = (NodeIndex, [[f64; 3]; 3]);
+
 /// What arms add to what the displacements of a slave node follow.
 #[derive(Default)]
 pub(super) struct Arms {
@@ -82,7 +85,7 @@ pub(super) fn arms(
 /// What the nodes of the faces nearest to a point make of the turn there, and the size of the largest of these
 /// faces [L]. Above an edge or a corner several are equally near: the turn is the mean of theirs, whichever
 /// comes first.
-fn turns(masters: &[Master], point: [f64; 3]) -> (Vec<(NodeIndex, [[f64; 3]; 3])>, f64) {
+fn turns(masters: &[Master], point: [f64; 3]) -> (Vec<NodeTurn>, f64) {
     let Some((_, near)) = nearest(masters, point) else { return (Vec::new(), 0.0) };
     let is_near = |own: &&Master| {
         let reach = near.distance + TOUCHING * own.size;
@@ -92,7 +95,7 @@ fn turns(masters: &[Master], point: [f64; 3]) -> (Vec<(NodeIndex, [[f64; 3]; 3])
     let near = masters.iter().filter(is_near);
     let turned = near.filter_map(|own| Some((own, turn(&own.face, &own.x, point)?)));
     let turned: Vec<_> = turned.collect();
-    let mut mean: Vec<(NodeIndex, [[f64; 3]; 3])> = Vec::new();
+    let mut mean: Vec<NodeTurn> = Vec::new();
     for (master, turn) in &turned {
         for (&node, turn) in master.nodes.iter().zip(turn) {
             let part = turn.map(|row| row.map(|own| own / turned.len() as f64));
