@@ -46,6 +46,9 @@ pub fn joined_forces(plan: &Problem<'_>, state: &State, work: &Scratch, into: &m
     let mut carried = state.load.clone();
     plan.constraints.carry(&evaluation.rows, &mut carried);
     for &dof in &plan.constraints.of_bodies {
-        into[dof] += carried[dof] - state.load[dof];
+        // loads stand along the axes of their node
+        let (node, own) = plan.dofs.name(dof);
+        let named = plan.dofs.named(node, own).unwrap_or(dof);
+        into[named] += carried[named] - state.load[named];
     }
 }

@@ -1,8 +1,9 @@
 //! Couplings: the nodes of a surface, or named ones, and a reference node.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use slideline_diag::{Code, Diagnostic, Span};
+use slideline_mech::axes::{Axes, PLAIN};
 use slideline_mech::vector::cross;
 use slideline_model::{Dialect, Dof, NodeIndex, RigidLink, System};
 
@@ -18,6 +19,9 @@ use crate::rule::Subject;
 
 /// Factors of weights below this are rounding [1].
 const NOUGHT: f64 = 1e-9;
+
+/// Parts of unit vectors below this are rounding [1].
+const ROUNDING: f64 = 1e-12;
 
 /// The node of the only element of a set, which is one of a coupling.
 fn reference_element(set: &str, span: Span, draft: &mut Draft) -> Option<NodeIndex> {
@@ -41,6 +45,7 @@ pub(super) fn axes_of_references(draft: &mut Draft) {
     if draft.dialect != Dialect::Calculix {
         return;
     }
+    let mut named = None;
     for coupling in draft.couplings.clone() {
         let distributes = matches!(coupling.kind, CouplingKind::Distributing(..));
         let Some((_, span)) = coupling.axes.as_ref().filter(|_| distributes) else { continue };
@@ -55,7 +60,13 @@ pub(super) fn axes_of_references(draft: &mut Draft) {
                 two_systems(node, *span, draft);
                 continue;
             }
-            None => in_equations(node, *span, draft),
+            None if are_plain(&axes) => continue,
+            None => {
+                let named = named.get_or_insert_with(|| nodes_of_equations(draft));
+                if let Some(&at) = named.get(&node) {
+                    in_equations(node, (at, *span), draft);
+                }
+            }
         }
         let system = System::Rectangular(axes);
         super::axes::give(vec![node], system, *span, draft);
@@ -72,25 +83,37 @@ fn two_systems(node: NodeIndex, span: Span, draft: &mut Draft) {
     draft.consequence(Subject::Nodes, error.help(help));
 }
 
-/// Equations that name a reference node mean axes that the coupling has not: nothing says which.
-fn in_equations(node: NodeIndex, span: Span, draft: &mut Draft) {
+/// Whether axes are those of the model.
+fn are_plain(axes: &Axes) -> bool {
+    let own = axes.iter().flatten().zip(PLAIN.as_flattened());
+    own.into_iter().all(|(own, plain)| (own - plain).abs() <= ROUNDING)
+}
+
+/// The nodes that equations name, with the first place.
+fn nodes_of_equations(draft: &mut Draft) -> HashMap<NodeIndex, Span> {
     let terms = draft.equations.iter().flat_map(|own| &own.terms);
     let terms: Vec<(Target, Span)> = terms.map(|term| (term.node.clone(), term.span)).collect();
+    let mut named = HashMap::new();
     for (target, at) in terms {
-        if !draft.nodes_of(&target, at).contains(&node) {
-            continue;
+        for node in draft.nodes_of(&target, at) {
+            named.entry(node).or_insert(at);
         }
-        let name = draft.model.nodes.name(node);
-        let message = format!(
-            "the reference node {name} has the axes of its coupling, and an equation names it: along which axes \
-             is not said"
-        );
-        let error = Diagnostic::error(Code("SL0349"), message).at(at);
-        let error = error.label(span, "the axes of the coupling");
-        let help = "leave out ORIENTATION, or give the node these axes by *TRANSFORM, which equations follow";
-        draft.consequence(Subject::Nodes, error.help(help));
-        return;
     }
+    named
+}
+
+/// Equations that name a reference node mean axes that the coupling has not: nothing says which.
+fn in_equations(node: NodeIndex, (at, span): (Span, Span), draft: &mut Draft) {
+    let name = draft.model.nodes.name(node);
+    let message = format!(
+        "the reference node {name} has the axes of its coupling, and an equation names it: along which axes \
+         is not said"
+    );
+    let error = Diagnostic::error(Code("SL0349"), message).at(at);
+    let error = error.label(span, "the axes of the coupling");
+    let help =
+        "leave out ORIENTATION, or give the node these axes by *TRANSFORM, which equations follow";
+    draft.consequence(Subject::Nodes, error.help(help));
 }
 
 /// Couples the nodes of a coupling with its reference node.

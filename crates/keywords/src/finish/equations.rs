@@ -4,7 +4,7 @@
 //!   a1 u1 + a2 u2 + ... = 0   ->   u1 = -(a2 u2 + ...)/a1
 //! ```
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{Dof, LinearConstraint, NodeIndex};
@@ -93,12 +93,9 @@ pub(super) fn twice(draft: &mut Draft, (node, dof): (NodeIndex, Dof), first: Spa
 /// Complains about dofs that follow themselves by way of others, and about rigid bodies whose own
 /// dofs follow others linearly.
 pub(super) fn circles(draft: &mut Draft) {
-    let mut open: HashMap<(NodeIndex, Dof), usize> = HashMap::new();
-    for (place, constraint) in draft.model.linear_constraints.iter().enumerate() {
-        open.insert(constraint.dependent, place);
-    }
-    let left = circular(&draft.model.linear_constraints, &open);
-    if let Some(place) = left {
+    let open = places(&draft.model.linear_constraints);
+    let left = unordered(&draft.model.linear_constraints, &open);
+    if let Some(&place) = left.first() {
         let LinearConstraint { dependent: (node, dof), origin, .. } =
             draft.model.linear_constraints[place];
         let name = draft.model.nodes.name(node);
@@ -121,12 +118,34 @@ pub(super) fn circles(draft: &mut Draft) {
     }
 }
 
-/// The first constraint that cannot be put behind all those that its terms follow: in the order of
-/// their dependence each is taken once.
-fn circular(
+/// Where the constraint of each dof stands.
+fn places(constraints: &[LinearConstraint]) -> HashMap<(NodeIndex, Dof), usize> {
+    constraints.iter().enumerate().map(|(place, own)| (own.dependent, place)).collect()
+}
+
+/// The constraints whose dofs follow themselves by way of others.
+pub(super) fn in_circles(constraints: &[LinearConstraint]) -> HashSet<usize> {
+    let of_dof = places(constraints);
+    let left: HashSet<usize> = unordered(constraints, &of_dof).into_iter().collect();
+    // what follows a circle has no order either, and is in none
+    let follows_itself = |own: &usize| {
+        let (mut seen, mut open) = (HashSet::new(), vec![*own]);
+        while let Some(place) = open.pop() {
+            let terms = constraints[place].terms.iter().map(|&(node, dof, _)| (node, dof));
+            let leaders = terms.filter_map(|term| of_dof.get(&term).copied());
+            open.extend(leaders.filter(|leader| left.contains(leader) && seen.insert(*leader)));
+        }
+        seen.contains(own)
+    };
+    left.iter().copied().filter(follows_itself).collect()
+}
+
+/// The constraints that cannot be put behind all those that their terms follow: in the order of their
+/// dependence each is taken once.
+fn unordered(
     constraints: &[LinearConstraint],
     of_dof: &HashMap<(NodeIndex, Dof), usize>,
-) -> Option<usize> {
+) -> Vec<usize> {
     let mut followers: Vec<Vec<usize>> = vec![Vec::new(); constraints.len()];
     let mut waits_for = vec![0_usize; constraints.len()];
     for (place, constraint) in constraints.iter().enumerate() {
@@ -145,7 +164,7 @@ fn circular(
             }
         }
     }
-    waits_for.iter().position(|&count| count > 0)
+    (0..waits_for.len()).filter(|&place| waits_for[place] > 0).collect()
 }
 
 /// Solves equations `sum a u = 0` together for as many dofs as there are equations: first for

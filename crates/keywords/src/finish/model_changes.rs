@@ -160,8 +160,10 @@ impl Absent {
     /// there: they move with the body, but nothing of it is there.
     fn bare_bodies(&self, draft: &Draft) -> HashSet<NodeIndex> {
         let links = draft.model.rigid_links.iter();
+        // a reference node may be one of the mesh
+        let masters = links.clone().map(|link| (link.master, link.master));
         let body: HashMap<NodeIndex, NodeIndex> =
-            links.map(|link| (link.dependent, link.master)).collect();
+            masters.chain(links.map(|link| (link.dependent, link.master))).collect();
         let nodes = |own: usize| draft.elements[own].nodes().iter();
         let found = |own: usize| nodes(own).filter_map(|&label| draft.model.nodes.find(label));
         let is_rigid = |own: &usize| {
@@ -172,7 +174,9 @@ impl Absent {
         let absent = self.elements.keys().copied();
         let mut bare: HashSet<NodeIndex> = absent.filter(is_rigid).flat_map(found).collect();
         if !bare.is_empty() {
-            let there = (0..draft.elements.len()).filter(|own| !self.contains(*own));
+            // contact, masses and what names a node are no parts of a body
+            let there = (0..draft.elements.len())
+                .filter(|own| !self.contains(*own) && is_part(draft.elements[*own].kind));
             there.flat_map(found).for_each(|node| _ = bare.remove(&node));
         }
         bare
@@ -244,10 +248,13 @@ fn elements(target: &Target, span: Span, draft: &mut Draft) -> (Vec<usize>, Vec<
     let kind = |own: &usize| draft.elements[*own].kind;
     let contact = found.iter().filter(|own| kind(own).is_contact());
     let contact = contact.map(|own| draft.elements[*own].label).collect();
-    let solid =
-        |own: &usize| matches!(kind(own), ElementKind::Structural(_) | ElementKind::Bare(_));
-    let own = found.into_iter().filter(solid);
+    let own = found.into_iter().filter(|own| is_part(kind(own)));
     (own.collect(), contact)
+}
+
+/// Whether an element is a part of the model that can be there or not.
+fn is_part(kind: ElementKind) -> bool {
+    matches!(kind, ElementKind::Structural(_) | ElementKind::Bare(_))
 }
 
 /// The contact pairs of contact elements; complains where only some elements of a pair are named.

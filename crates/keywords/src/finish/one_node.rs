@@ -87,18 +87,33 @@ fn leaders(draft: &Draft) -> HashMap<NodeIndex, NodeIndex> {
     let dependents: HashSet<NodeIndex> = dependents.map(|(node, _)| *node).collect();
     let next: HashMap<_, _> =
         dependents.into_iter().filter_map(|node| Some((node, leader(node)?))).collect();
-    // who follows himself by way of others is no leader: that is an error, said elsewhere; but where a
-    // body holds both sides of ties of two ways, one of the ring leads all
-    let follower =
-        |node: NodeIndex| std::iter::successors(Some(node), |node| next.get(node).copied());
-    let last = |node: NodeIndex| {
-        let last = follower(node).take(next.len() + 1).last().unwrap_or(node);
-        match next.contains_key(&last) {
-            true => follower(last).take(next.len()).min().unwrap_or(last),
-            false => last,
-        }
-    };
-    next.keys().map(|&node| (node, last(node))).filter(|(node, last)| node != last).collect()
+    let last = last(&next);
+    last.into_iter().filter(|(node, last)| node != last).collect()
+}
+
+/// The last one of those that each node follows. Who follows himself by way of others is no leader: that is an
+/// error, said elsewhere; but where a body holds both sides of ties of two ways, one of the ring leads all.
+fn last(next: &HashMap<NodeIndex, NodeIndex>) -> HashMap<NodeIndex, NodeIndex> {
+    let mut last: HashMap<NodeIndex, NodeIndex> = HashMap::with_capacity(next.len());
+    for &first in next.keys() {
+        let (mut path, mut places) = (Vec::new(), HashMap::new());
+        let mut node = first;
+        let end = loop {
+            if let Some(&known) = last.get(&node) {
+                break known;
+            }
+            if let Some(&place) = places.get(&node) {
+                let ring: &[NodeIndex] = &path[place..];
+                break ring.iter().copied().min().unwrap_or(node);
+            }
+            let Some(&leader) = next.get(&node) else { break node };
+            places.insert(node, path.len());
+            path.push(node);
+            node = leader;
+        };
+        last.extend(path.into_iter().map(|node| (node, end)));
+    }
+    last
 }
 
 /// What a dof follows, where dofs that are held alike are one: a mean beside a supported node has what
@@ -183,5 +198,28 @@ fn replace(pair: &mut ContactPair, by: &HashMap<NodeIndex, NodeIndex>) {
     for own in &mut pair.left_out {
         let faces = own.slave.iter_mut().chain(&mut own.master);
         faces.for_each(|face| face.iter_mut().for_each(put));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Requirement: rings have one leader, rows their last one, and long ones take time that grows with their
+    /// number.
+    #[test]
+    fn long_rings_have_one_leader() {
+        let count = 100_000;
+        let mut next: HashMap<NodeIndex, NodeIndex> =
+            (10..count).map(|node| (node, node + 1)).collect();
+        next.insert(count, 10);
+        next.insert(5, 70);
+        next.extend([(count + 1, count + 2), (count + 2, count + 3)]);
+        let began = std::time::Instant::now();
+        let last = last(&next);
+        assert!(began.elapsed().as_secs_f64() < 2.0);
+        assert!((10..=count).chain([5]).all(|node| last[&node] == 10));
+        assert!([1, 2].iter().all(|own| last[&(count + own)] == count + 3));
+        assert_eq!(last.len(), next.len());
     }
 }

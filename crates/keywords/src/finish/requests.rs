@@ -44,7 +44,7 @@ pub(super) fn renew(standing: &mut OutputRequests, step: &StepDraft, draft: &mut
         print
     });
     let asked: Vec<ContactPrint> = asked.collect();
-    let ties = with_faces(&across_ties(&asked, draft), draft);
+    let ties = across_ties(&asked, draft);
     let (mut tied, mut sections): (Vec<_>, Vec<_>) =
         std::mem::take(&mut standing.section_prints).into_iter().partition(|print| print.is_tied);
     tied.retain(|old| asked.iter().all(|new| new.request.target != old.request.target));

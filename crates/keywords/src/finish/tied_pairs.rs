@@ -1,12 +1,15 @@
 //! Contact pairs whose surfaces stick together from the start: they are ties.
 
+use std::collections::HashMap;
+
 use slideline_diag::{Code, Diagnostic};
 use slideline_model::{
-    ContactPrint, ContactVariable, Formulation, Friction, Interaction, NormalLaw, Request,
-    SectionPrint, SectionVariable,
+    ContactPrint, ContactVariable, Formulation, Friction, Interaction, NodeIndex, NormalLaw,
+    Request, SectionPrint, SectionVariable,
 };
 
 use super::faces::faces;
+use super::section_prints::with_faces;
 use crate::constraints::Tie;
 use crate::draft::Draft;
 use crate::surfaces::{Adjusted, Extent, Named, NamedInteraction, Pairing};
@@ -72,40 +75,89 @@ fn names(print: &ContactPrint, tie: &Tie) -> bool {
     is(&print.surfaces[0], &tie.slave.name) && is(&print.surfaces[1], &tie.master.name)
 }
 
-/// What requests for contact ask of tied pairs: force, moment and area of the slave, as of a section.
-pub(super) fn across_ties(asked: &[ContactPrint], draft: &mut Draft) -> Vec<(SectionPrint, Named)> {
+/// What requests for contact ask of tied pairs: force, moment and area of the slave, as of a section; once for
+/// each slave, through which all passes that it is tied to.
+pub(super) fn across_ties(asked: &[ContactPrint], draft: &mut Draft) -> Vec<SectionPrint> {
     let mut found = Vec::new();
-    let ties: Vec<Tie> = draft.ties.iter().filter(|tie| tie.is_pair).cloned().collect();
+    let ties: Vec<Tie> = draft.ties.clone();
     for print in asked.iter().filter(|print| print.request.target.is_table()) {
-        let variables = of_sections(&print.variables);
-        for tie in ties.iter().filter(|tie| names(print, tie)) {
-            let of_faces = is_of_faces(&tie.slave, draft);
-            let name = format!("{}/{}", tie.slave.name, tie.master.name);
-            let message = match (variables.is_empty(), of_faces) {
-                (false, true) => format!(
-                    "{name} is tied: the force that passes is printed as *SECTION PRINT prints that of {}",
-                    tie.slave.name
-                ),
-                (true, true) => {
-                    format!("{name} is tied: it has no pressures and gaps to print, but CFT")
-                }
-                (_, false) => {
-                    format!("{name} is tied and its slave has no faces: nothing is printed of it")
-                }
-            };
-            draft.log.note("SL0253", message, print.request.origin);
-            if of_faces && !variables.is_empty() {
-                let set = tie.slave.name.clone();
-                let request = Request { set, ..print.request.clone() };
-                let variables = variables.clone();
-                let (faces, shares) = (Vec::new(), Vec::new());
-                let section =
-                    SectionPrint { request, name, is_tied: true, faces, shares, variables };
-                found.push((section, tie.slave.clone()));
+        let mut slaves: Vec<&str> = Vec::new();
+        for tie in ties.iter().filter(|tie| tie.is_pair && names(print, tie)) {
+            if slaves.contains(&tie.slave.name.as_str()) {
+                continue;
             }
+            slaves.push(&tie.slave.name);
+            let of_slave = ties.iter().filter(|own| own.slave.name == tie.slave.name);
+            found.extend(across(print, &of_slave.collect::<Vec<_>>(), draft));
         }
     }
     found
+}
+
+/// What passes through the slave of some ties.
+fn across(print: &ContactPrint, ties: &[&Tie], draft: &mut Draft) -> Option<SectionPrint> {
+    let slave = &ties.first()?.slave;
+    let masters: Vec<&str> = ties.iter().map(|tie| tie.master.name.as_str()).collect();
+    let (name, tied) = match masters[..] {
+        [master] => {
+            let name = format!("{}/{master}", slave.name);
+            (name.clone(), format!("{name} is tied"))
+        }
+        _ => (slave.name.clone(), format!("{} is tied to {}", slave.name, masters.join(" and "))),
+    };
+    let variables = of_sections(&print.variables);
+    let section = match is_of_faces(slave, draft) && !variables.is_empty() {
+        true => {
+            let request = Request { set: slave.name.clone(), ..print.request.clone() };
+            let (faces, shares) = (Vec::new(), Vec::new());
+            let asked = SectionPrint {
+                request,
+                name,
+                is_tied: true,
+                faces,
+                shares,
+                variables: variables.clone(),
+            };
+            with_faces(&[(asked, slave.clone())], draft).pop()
+        }
+        false => None,
+    };
+    let section = section.filter(|section| !is_rigid(section, draft));
+    let what = match (&section, variables.is_empty()) {
+        (_, true) => "it has no pressures and gaps to print, but CFT".to_owned(),
+        (None, false) => {
+            "no faces of deforming elements are at its slave, so that nothing is printed of it"
+                .to_owned()
+        }
+        (Some(_), false) if masters.len() > 1 => format!(
+            "the force that passes to all of them together is printed once, under the name {}, as *SECTION \
+             PRINT prints it",
+            slave.name
+        ),
+        (Some(_), false) => {
+            format!(
+                "the force that passes is printed as *SECTION PRINT prints that of {}",
+                slave.name
+            )
+        }
+    };
+    draft.log.note("SL0253", format!("{tied}: {what}"), print.request.origin);
+    section
+}
+
+/// Whether no element behind a surface deforms: what passes through rigid bodies no element knows.
+fn is_rigid(section: &SectionPrint, draft: &Draft) -> bool {
+    let links = draft.model.rigid_links.iter();
+    let masters = links.clone().map(|link| (link.master, link.master));
+    let body: HashMap<NodeIndex, NodeIndex> =
+        masters.chain(links.map(|link| (link.dependent, link.master))).collect();
+    section.shares.iter().all(|share| {
+        let (block, member) = share.element;
+        let nodes = draft.model.blocks[block].elements.get(member).nodes;
+        let mut bodies = nodes.iter().map(|node| body.get(node));
+        let first = bodies.next().flatten();
+        first.is_some() && bodies.all(|other| other == first)
+    })
 }
 
 /// Whether a surface is made of faces of solids.

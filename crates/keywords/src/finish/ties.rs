@@ -26,9 +26,9 @@ use crate::constraints::Tie;
 use crate::draft::Draft;
 use crate::rule::Subject;
 use crate::surfaces::{Extent, NamedSurface};
-use arms::{arm_terms, join, judge_arms};
+use arms::{Arm, arms, join, judge_arms, open_circles};
 use bodies::Bodies;
-use master::Master;
+use master::{Master, nearest};
 use means::{Means, Shares, means, misplaced};
 
 /// Part of a pressure that may reach other nodes than it should unsaid [1]. (choice)
@@ -42,15 +42,23 @@ pub(super) fn ties(draft: &mut Draft) {
     let prescribed = super::steps::prescribed(draft);
     let supports = Supports::new(draft);
     let bodies = Bodies::of(draft);
-    // a node that two ties name follows the first; where one moved, the tie that moved it
-    let mut tied = HashMap::new();
+    let mut done = Done::default();
     let mut left: VecDeque<&Tie> = ties.iter().collect();
     while let Some(tie) = left.pop_front() {
         let (same, others) = left.into_iter().partition(|other| is_one_with(tie, other));
         left = others;
-        one((tie, &same), (&prescribed, &supports, &bodies), &mut tied, draft);
+        one((tie, &same), (&prescribed, &supports, &bodies), &mut done, draft);
     }
-    moved(&tied, draft);
+    open_circles(&done.arms, draft);
+    moved(&done.tied, draft);
+}
+
+/// What the ties so far have done.
+#[derive(Default)]
+struct Done {
+    /// A node that two ties name follows the first; where one moved, the tie that moved it.
+    tied: HashMap<NodeIndex, Option<Span>>,
+    arms: Vec<Arm>,
 }
 
 /// Whether faces of one slave surface are tied to two masters in the same way: those that lie upon both
@@ -107,7 +115,7 @@ fn masters(tie: &Tie, draft: &mut Draft) -> Vec<Master> {
 fn one(
     (tie, same): (&Tie, &VecDeque<&Tie>),
     (prescribed, supports, bodies): (&NumberedSet<(NodeIndex, Dof)>, &Supports, &Bodies),
-    tied: &mut HashMap<NodeIndex, Option<Span>>,
+    done: &mut Done,
     draft: &mut Draft,
 ) {
     let all = std::iter::once(tie).chain(same.iter().copied());
@@ -120,7 +128,7 @@ fn one(
     let own: HashSet<NodeIndex> = masters.iter().flat_map(|master| master.nodes.clone()).collect();
     let (mut near, mut left) = (Vec::new(), Vec::new());
     for node in nodes_of_surface(&slave, tie.slave.span, draft) {
-        if own.contains(&node) || tied.contains_key(&node) {
+        if own.contains(&node) || done.tied.contains_key(&node) {
             continue;
         }
         let point = draft.model.nodes.get(node).position;
@@ -138,52 +146,36 @@ fn one(
     if !tie.by_faces && !slaves.is_empty() {
         judge_nodes(tie, &slaves, (&masters, &near), draft);
     }
-    let gaps = near.iter().map(|own| (own.near.distance, masters[own.master].size));
-    judge_arms(tie, gaps, draft);
     if tie.adjust {
         adjust(&near, &means, draft);
     }
+    let mut widest = 0.0_f64;
     for own in &near {
-        tied.insert(own.node, tie.adjust.then_some(tie.origin));
+        done.tied.insert(own.node, tie.adjust.then_some(tie.origin));
         if !bodies.hold(own.node, &nearest_shares(own, &masters), draft) {
-            follow(tie, own, (&masters, &means), (prescribed, supports), draft);
+            let sides = (&masters[..], &means);
+            let gap = follow(tie, own, sides, (prescribed, supports), &mut done.arms, draft);
+            widest = widest.max(gap);
         }
     }
-    if let Some(&first) = left.first() {
-        let label = draft.model.nodes.label(first);
-        let (slave, master) = (&tie.slave.name, names.join(" and "));
-        let message = match left.len() {
-            1 => format!("node {label} of {slave} lies too far from {master} and is not tied"),
-            count => format!(
-                "{count} nodes of {slave}, such as {label}, lie too far from {master} and are not tied"
-            ),
-        };
-        let warning = Diagnostic::warning(Code("SL0348"), message).at(tie.origin);
-        draft.consequence(
-            Subject::Links,
-            warning.help(
-                "POSITION TOLERANCE= of *TIE, ADJUST= of *CONTACT PAIR, ties from further away",
-            ),
-        );
-    }
+    judge_arms(tie, widest, draft);
+    too_far(tie, &left, &names, draft);
 }
 
-/// The master face that comes nearest to a point.
-fn nearest(masters: &[Master], point: [f64; 3]) -> Option<(usize, Nearest)> {
-    let mut best: Option<(usize, Nearest)> = None;
-    for (place, master) in masters.iter().enumerate() {
-        // a curved face may leave its box by a little
-        let bulge = 0.25 * master.size;
-        let beaten = |(_, near): &(usize, Nearest)| near.distance < master.at_least(point) - bulge;
-        if best.as_ref().is_some_and(beaten) {
-            continue;
-        }
-        let near = master.face.nearest(&master.x, point);
-        if best.as_ref().is_none_or(|(_, own)| near.distance < own.distance) {
-            best = Some((place, near));
-        }
-    }
-    best
+/// SL0348: nodes that are not tied.
+fn too_far(tie: &Tie, left: &[NodeIndex], names: &[&str], draft: &mut Draft) {
+    let Some(&first) = left.first() else { return };
+    let label = draft.model.nodes.label(first);
+    let (slave, master) = (&tie.slave.name, names.join(" and "));
+    let message = match left.len() {
+        1 => format!("node {label} of {slave} lies too far from {master} and is not tied"),
+        count => format!(
+            "{count} nodes of {slave}, such as {label}, lie too far from {master} and are not tied"
+        ),
+    };
+    let warning = Diagnostic::warning(Code("SL0348"), message).at(tie.origin);
+    let help = "POSITION TOLERANCE= of *TIE, ADJUST= of *CONTACT PAIR, ties from further away";
+    draft.consequence(Subject::Links, warning.help(help));
 }
 
 /// A slave node that is tied, with the place of the master that is nearest to it.
@@ -297,23 +289,24 @@ fn adjust(near: &[TiedNode], means: &Means, draft: &mut Draft) {
 
 /// Makes the displacements of a node follow a mean or the nearest face. A dof that is prescribed on
 /// both sides of the tie is left to its support; but where both sides are held alike in some of the
-/// steps only, it follows in all of them.
+/// steps only, it follows in all of them. How long its arm is in sizes of the face [1].
 fn follow(
     tie: &Tie,
     own: &TiedNode,
     (masters, means): (&[Master], &Means),
     (prescribed, supports): (&NumberedSet<(NodeIndex, Dof)>, &Supports),
+    known: &mut Vec<Arm>,
     draft: &mut Draft,
-) {
+) -> f64 {
     let node = own.node;
     let directions = draft.model.directions();
     let nearest = nearest_shares(own, masters);
-    let row = |dof: Dof| {
-        let axis = directions.iter().position(|own| *own == dof).unwrap_or_default();
-        (axis, means.get(axis).and_then(|means| means.get(&node)).unwrap_or(&nearest))
-    };
+    let rows = means.each_ref().map(|means| means.get(&node).unwrap_or(&nearest));
+    let axis = |dof: Dof| directions.iter().position(|own| *own == dof).unwrap_or_default();
+    let arms = arms((node, own.near.distance), rows, (masters, own.master), draft);
+    let mut hangs = false;
     let terms = |dof: Dof| -> Vec<_> {
-        let shares = row(dof).1.iter().filter(|(_, share)| share.abs() > 1e-12);
+        let shares = rows[axis(dof)].iter().filter(|(_, share)| share.abs() > 1e-12);
         shares.map(|&(own, share)| (own, dof, share)).collect()
     };
     for &dof in directions.iter().filter(|dof| !dof.is_rotation()) {
@@ -333,9 +326,15 @@ fn follow(
             }
             draft.implied.insert((node, dof));
         } else {
-            let arm = |dof: Dof| arm_terms((node, row(dof)), &masters[own.master], draft);
-            join(&mut terms, draft.followed((node, dof), arm));
+            let arm = draft.followed((node, dof), |dof| arms.terms[axis(dof)].clone());
+            if !arm.is_empty() {
+                hangs = true;
+                let constraint = draft.model.linear_constraints.len();
+                known.push(Arm { constraint, dependent: (node, dof), without: terms.clone() });
+                join(&mut terms, arm);
+            }
         }
         add(draft, (node, dof), terms, tie.origin);
     }
+    if hangs { arms.part } else { 0.0 }
 }

@@ -281,16 +281,18 @@ fn a_body_without_a_reference_node() {
 /// CalculiX; a node that has others by `*TRANSFORM` is refused, the same ones are not.
 #[test]
 fn a_reference_node_has_one_system_of_axes() {
-    let coupled = |transform: &str| {
-        let cards = "*NODE, NSET=REF\n9, 4.0, 0.5\n*SURFACE, NAME=SIDE\nB, S2\n*ORIENTATION, NAME=O\n\
-            0., 1., 0., -1., 0., 0.\n*COUPLING, REF NODE=9, SURFACE=SIDE, CONSTRAINT NAME=K, ORIENTATION=O\n\
-            *DISTRIBUTING\n1, 2\n";
+    let coupled_along = |axes: &str, transform: &str| {
+        let cards = format!(
+            "*NODE, NSET=REF\n9, 4.0, 0.5\n*SURFACE, NAME=SIDE\nB, S2\n*ORIENTATION, NAME=O\n{axes}\n\
+             *COUPLING, REF NODE=9, SURFACE=SIDE, CONSTRAINT NAME=K, ORIENTATION=O\n*DISTRIBUTING\n1, 2\n"
+        );
         let transform = match transform.strip_prefix("**") {
             Some(other) => format!("{other}\n"),
             None => format!("*TRANSFORM, NSET=REF\n{transform}\n"),
         };
         codes(&deck(&format!("{cards}{transform}{}", step("*CLOAD\n9, 1, 1.0")), &[]), C)
     };
+    let coupled = |transform: &str| coupled_along("0., 1., 0., -1., 0., 0.", transform);
     assert_eq!(coupled("1., 1., 0., -1., 1., 0."), ["SL0349"]);
     assert!(coupled("0., 1., 0., -1., 0., 0.").is_empty());
     // equations follow *TRANSFORM alone
@@ -299,4 +301,7 @@ fn a_reference_node_has_one_system_of_axes() {
     assert!(coupled(equation).is_empty());
     let bare = equation.split_once("\n").unwrap().1;
     assert_eq!(coupled(&format!("**\n{bare}")), ["SL0349"]);
+    // the axes of the model are those that equations mean
+    let plain = coupled_along("1., 0., 0., 0., 1., 0.", &format!("**\n{bare}"));
+    assert!(plain.is_empty(), "{plain:?}");
 }

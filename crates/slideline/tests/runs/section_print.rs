@@ -237,3 +237,35 @@ fn tied_pairs_print_what_passes() {
         is(&row(last, "LOW"), &[34.0_f64.sqrt(), 3.0, 5.0], 1e-6);
     }
 }
+
+/// Requirement: a slave that is tied to two masters has one table, of all that passes; a rigid one has none, for
+/// zeros stood there.
+#[test]
+fn slaves_of_two_tied_pairs_print_once_and_rigid_ones_nothing() {
+    let deck = |body: &str, held: &str| {
+        format!(
+            "*NODE, NSET=ALL\n1, 0., 0.\n2, 1., 0.\n3, 1., 1.\n4, 0., 1.\n5, 0., 1.\n6, 2., 1.\n7, 2., 2.\n\
+             8, 0., 2.\n11, 1., 0.\n12, 2., 0.\n13, 2., 1.\n14, 1., 1.\n99, 1., 3.\n\
+             *ELEMENT, TYPE=CPS4, ELSET=E\n1, 1, 2, 3, 4\n3, 11, 12, 13, 14\n2, 5, 6, 7, 8\n\
+             *SOLID SECTION, ELSET=E, MATERIAL=M\n1.\n*MATERIAL, NAME=M\n\
+             *ELASTIC\n1000., 0.3\n*SURFACE, NAME=LEFT\n1, S3\n*SURFACE, NAME=RIGHT\n3, S3\n\
+             *SURFACE, NAME=UP\n2, S1\n*SURFACE INTERACTION, NAME=I\n1.\n\
+             *CONTACT PAIR, INTERACTION=I, TIED\nUP, LEFT\nUP, RIGHT\n{body}*STEP\n*STATIC\n*BOUNDARY\n\
+             {held}*CONTACT PRINT\nCFN, CAREA\n*CLOAD\n"
+        )
+    };
+    let text = tables(
+        "two",
+        &(deck("", "1, 1, 2\n2, 1, 2\n11, 1, 2\n12, 1, 2\n") + "7, 1, 3.\n8, 2, 5.\n*END STEP\n"),
+        Dialect::Abaqus,
+    );
+    is(&row(&text, "UP "), &[34.0_f64.sqrt(), -3.0, -5.0, 2.0], 1e-6);
+    assert!(!text.contains("UP/"), "{text}");
+    let body = "*RIGID BODY, REF NODE=99, TIE NSET=ALL\n";
+    let rigid = deck(body, "99, 1, 2\n99, 6, 6\n") + "99, 1, 3.\n*END STEP\n";
+    let read = Job::read_text("job", &rigid, &ReadOptions::default());
+    let said = |text: &str| read.diagnostics.iter().any(|said| said.message.contains(text));
+    assert!(said("nothing is printed of it"), "{:?}", read.diagnostics);
+    let model = read.model.unwrap();
+    assert!(model.steps.iter().all(|step| step.output.section_prints.is_empty()));
+}

@@ -165,7 +165,12 @@ fn references_of_couplings_show_no_load_of_their_own() {
 fn a_body_shows_the_loads_of_what_follows_it() {
     let joined = "*RIGID BODY, NSET=TOP, REF NODE=9, ROT NODE=10\n";
     let history = "*BOUNDARY\n9, 1, 1, .01\n*CLOAD\n9, 1, 5.\n9, 2, 2.\n6, 1, 1.\n";
-    let end = run(joined, history, Dialect::Calculix);
-    let supports: f64 = (1..=4).map(|node| end.0[&node][1][0]).sum();
-    assert_near(end.0[&9][1], [-supports, 2.0, 0.0], 1e-9);
+    let turned = "*NSET, NSET=R\n9\n*TRANSFORM, NSET=R, TYPE=R\n0., 1., 0., -1., 0., 0.\n";
+    // the same along axes that are turned by a quarter
+    let of_turned = "*BOUNDARY\n9, 2, 2, -.01\n*CLOAD\n9, 2, -5.\n9, 1, 2.\n6, 1, 1.\n";
+    for (axes, history) in [("", history), (turned, of_turned)] {
+        let end = run(&format!("{joined}{axes}"), history, Dialect::Calculix);
+        let supports: f64 = (1..=4).map(|node| end.0[&node][1][0]).sum();
+        assert_near(end.0[&9][1], [-supports, 2.0, 0.0], 1e-9);
+    }
 }

@@ -112,3 +112,92 @@ fn wide_gaps_in_large_steps_are_in_doubt() {
     assert!(!codes(&deck.replace(", NLGEOM", "")).contains(&"SL0430"));
     assert!(!codes(&deck.replace(", ADJUST=NO", "")).contains(&"SL0430"));
 }
+
+/// Kind of solid, its upper and lower side, the one above a ridge, and supports of the ridge.
+const ABOVE_IN_SPACE: [&str; 5] = [
+    "C3D8",
+    "S5",
+    "S3",
+    "31, 1, 1.6, 1.3\n32, 1.6, 1.6, 1.3\n33, 1.6, 1.6, 1.9\n34, 1, 1.6, 1.9\n35, 1, 1, 1.3\n\
+     36, 1.6, 1, 1.3\n37, 1.6, 1, 1.9\n38, 1, 1, 1.9\n*ELEMENT, TYPE=C3D8, ELSET=UP\n\
+     9, 31, 32, 33, 34, 35, 36, 37, 38\n",
+    "1, 1, 3\n2, 1, 3\n3, 1, 3\n7, 1, 3\n8, 1, 3\n9, 1, 3\n13, 1, 3\n14, 1, 3\n15, 1, 3\n",
+];
+const ABOVE_IN_PLANE: [&str; 5] = [
+    "CPS4",
+    "S3",
+    "S1",
+    "31, 1, 1.3\n32, 1.6, 1.3\n33, 1.6, 1.9\n34, 1, 1.9\n*ELEMENT, TYPE=CPS4, ELSET=UP\n\
+     9, 31, 32, 33, 34\n",
+    "1, 1, 2\n2, 1, 2\n3, 1, 2\n",
+];
+
+/// A ridge of solids along x = 1, and one solid above with corners straight above the ridge; `order` is that of
+/// the solids of the ridge.
+fn above_a_ridge(in_space: bool, order: &[usize]) -> [f64; 3] {
+    let height = [0.7, 1.0, 0.8];
+    let mut nodes = String::new();
+    let rows = if in_space { 3 } else { 1 };
+    for (j, i, k) in (0..rows).flat_map(|j| (0..6).map(move |own| (j, own % 3, own / 3))) {
+        let (number, up) = (1 + i + 3 * k + 6 * j, k as f64 * height[i]);
+        let last = if in_space { format!("{j}, {up}") } else { format!("{up}") };
+        nodes += &format!("{number}, {i}, {last}\n");
+    }
+    let corners = |i: usize, j: usize| [0, 1, 4, 3].map(|own| 1 + i + 6 * j + own);
+    let row = |own: &[usize]| own.iter().map(usize::to_string).collect::<Vec<_>>().join(", ");
+    let elements = order.iter().enumerate().map(|(label, own)| {
+        let (i, j) = (own % 2, own / 2);
+        let own = match in_space {
+            true => [corners(i, j + 1), corners(i, j)].concat(),
+            false => corners(i, j).to_vec(),
+        };
+        format!("{}, {}\n", label + 1, row(&own))
+    });
+    let elements: String = elements.collect();
+    let [kind, top, bottom, upper, base] = if in_space { ABOVE_IN_SPACE } else { ABOVE_IN_PLANE };
+    let end = solved(&format!(
+        "*NODE, NSET=ALL\n{nodes}*ELEMENT, TYPE={kind}, ELSET=LOW\n{elements}*NODE\n{upper}\
+         *ELSET, ELSET=E\nLOW, UP\n*MATERIAL, NAME=M\n*ELASTIC\n1000., .3\n\
+         *SOLID SECTION, ELSET=E, MATERIAL=M\n*SURFACE, NAME=LOWER\nLOW, {top}\n\
+         *SURFACE, NAME=UPPER\nUP, {bottom}\n\
+         *TIE, NAME=T, ADJUST=NO, POSITION TOLERANCE=.9, TYPE=NODE TO SURFACE\nUPPER, LOWER\n\
+         *STEP\n*STATIC\n*BOUNDARY\n{base}*CLOAD\n33, 1, 2.\n34, 2, 1.\n*END STEP\n"
+    ));
+    end.0[&33][0]
+}
+
+/// Requirement: of faces that are equally near none comes first.
+#[test]
+fn the_order_of_faces_below_an_edge_changes_nothing() {
+    for (in_space, orders) in [
+        (true, [[0, 1, 2, 3], [3, 2, 1, 0]].map(Vec::from)),
+        (false, [[0, 1], [1, 0]].map(Vec::from)),
+    ] {
+        let [one, other] = orders.map(|order| above_a_ridge(in_space, &order));
+        let far = one.iter().zip(other).any(|(one, other)| (one - other).abs() > 1e-9);
+        assert!(!far && one[0].abs() > 1e-4, "{one:?} {other:?}");
+    }
+}
+
+/// Requirement: arms that would make two ties follow one another are left out, and that is said.
+#[test]
+fn arms_close_no_circle() {
+    // in turned axes, so that arms move across and along
+    let places = [(1, 0., 0.), (2, 1., 0.), (3, 1., 1.), (4, 0., 1.)];
+    let upper = [(11, 0., 1.2), (12, 1.2, 1.2), (13, 1.2, 2.), (14, 0., 2.)];
+    let node = |(label, x, y): (u8, f64, f64)| {
+        format!("{label}, {}, {}\n", 0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y)
+    };
+    let nodes: String = places.into_iter().chain(upper).map(node).collect();
+    let cards = "*ELEMENT, TYPE=CPS4, ELSET=E\n1, 1, 2, 3, 4\n2, 11, 12, 13, 14\n\
+        *MATERIAL, NAME=M\n*ELASTIC\n1000., .3\n*SOLID SECTION, ELSET=E, MATERIAL=M\n\
+        *SURFACE, NAME=LOW\n1, S3\n*SURFACE, NAME=UP\n2, S1\n\
+        *SURFACE, NAME=LEFT, TYPE=NODE\n11\n*SURFACE, NAME=RIGHT, TYPE=NODE\n3\n\
+        *TIE, NAME=T, ADJUST=NO, POSITION TOLERANCE=.5\nLEFT, LOW\n\
+        *TIE, NAME=U, ADJUST=NO, POSITION TOLERANCE=.5\nRIGHT, UP\n\
+        *STEP\n*STATIC\n*BOUNDARY\n1, 1, 2\n2, 1, 2\n*CLOAD\n13, 2, 1.\n*END STEP\n";
+    let deck = format!("*NODE, NSET=ALL\n{nodes}{cards}");
+    let job = Job::read_text("circle", &deck, &ReadOptions::default());
+    let codes: Vec<&str> = job.diagnostics.iter().map(|said| said.code.0).collect();
+    assert!(job.model.is_some() && codes.contains(&"SL0430"), "{:?}", job.diagnostics);
+}

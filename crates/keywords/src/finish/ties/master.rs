@@ -6,7 +6,7 @@
 //!    +--------------+   slave nodes may lie
 //! ```
 
-use slideline_mech::pressure::Face;
+use slideline_mech::pressure::{Face, Nearest};
 use slideline_model::NodeIndex;
 
 use crate::draft::Draft;
@@ -52,4 +52,25 @@ impl Master {
         let beyond = |k: usize| (self.low[k] - point[k]).max(point[k] - self.high[k]).max(0.0);
         (0..3).map(|k| beyond(k).powi(2)).sum::<f64>().sqrt()
     }
+
+    /// How far a curved face may leave its box [L].
+    pub fn bulge(&self) -> f64 {
+        0.25 * self.size
+    }
+}
+
+/// The master face that comes nearest to a point.
+pub(super) fn nearest(masters: &[Master], point: [f64; 3]) -> Option<(usize, Nearest)> {
+    let mut best: Option<(usize, Nearest)> = None;
+    for (place, master) in masters.iter().enumerate() {
+        let least = master.at_least(point) - master.bulge();
+        if best.as_ref().is_some_and(|(_, own)| own.distance < least) {
+            continue;
+        }
+        let near = master.face.nearest(&master.x, point);
+        if best.as_ref().is_none_or(|(_, own)| near.distance < own.distance) {
+            best = Some((place, near));
+        }
+    }
+    best
 }
