@@ -8,10 +8,13 @@
 //!
 //! docs/theory.md section 5.3.
 
-use crate::element::block::ElementBlock;
+use crate::contact::{ContactPair, Formulation};
+use crate::element::block::{Element, ElementBlock};
 use crate::model::Model;
 use crate::node::{Dof, NodeIndex, RigidLink};
+use crate::presence::ElementIndex;
 use crate::step::{Prescribed, Step};
+use crate::surface::Master;
 use slideline_mech::axes::Axes;
 use slideline_mech::vector::{Vector, dot, scale, size, sub};
 use std::collections::{HashMap, HashSet};
@@ -60,9 +63,26 @@ struct Held<'a> {
 }
 
 impl Model {
+    /// The planes of symmetry beyond which the masters of pairs go on as their images: those in which a line of nodes ends, or
+    /// smoothed faces do, whose contact is sampled at nodes. None at all where no element has a side.
+    pub fn planes_beyond<'p>(
+        &self,
+        pairs: impl ExactSizeIterator<Item = &'p ContactPair>,
+    ) -> Vec<Vec<SymmetryPlane>> {
+        if !self.blocks.iter().any(|block| block.kind.joins() && !block.kind.cell.faces.is_empty())
+        {
+            return Vec::new();
+        }
+        let held = Held::new(self);
+        pairs.map(|pair| self.planes_at(&held, &ends_of_master(pair))).collect()
+    }
+
     /// The planes of symmetry in which some of these nodes lie, the axis of rings among them.
     pub fn symmetry_planes(&self, nodes: &[NodeIndex]) -> Vec<SymmetryPlane> {
-        let held = Held::new(self);
+        self.planes_at(&Held::new(self), nodes)
+    }
+
+    fn planes_at(&self, held: &Held<'_>, nodes: &[NodeIndex]) -> Vec<SymmetryPlane> {
         let mut known: Vec<(Vector, (f64, f64))> = Vec::new();
         let mut tested: Vec<SymmetryPlane> = Vec::new();
         let candidates = held.shared_candidates(nodes);
@@ -84,12 +104,22 @@ impl Model {
     }
 }
 
+/// The nodes of the master of a pair that may lie in a plane beyond which it goes on.
+fn ends_of_master(pair: &ContactPair) -> Vec<NodeIndex> {
+    match &pair.master {
+        _ if pair.formulation != Formulation::NodeToSurface => Vec::new(),
+        Master::SlideLine(line) if !line.is_ring() => {
+            [line.nodes.first(), line.nodes.last()].into_iter().flatten().copied().collect()
+        }
+        Master::Faces(faces) if faces.smooth && faces.swept.is_none() => faces.nodes(),
+        _ => Vec::new(),
+    }
+}
+
 impl<'a> Held<'a> {
     fn new(model: &'a Model) -> Self {
         let mut has = vec![false; model.nodes.len()];
-        parts(model).flat_map(|own| own.elements.iter()).flat_map(|own| own.nodes).for_each(|&n| {
-            has[n] = true;
-        });
+        parts(model).flat_map(|(_, own)| own.nodes).for_each(|&node| has[node] = true);
         let nodes: Vec<_> = (0..has.len()).filter(|&node| has[node]).collect();
         let bounds = |axis: usize| {
             let all = nodes.iter().map(|&node| model.nodes.position(node)[axis]);
@@ -163,13 +193,10 @@ impl<'a> Held<'a> {
         }
         let is_held = |node: &NodeIndex| is_axis || self.holds(*node, plane.normal);
         let ends = || {
-            parts(self.model).any(|block| {
+            parts(self.model).any(|(block, own)| {
                 let cell = block.kind.cell;
-                let corners = |face: &[usize]| corners_of(cell.dimension, face.len());
-                block.elements.iter().any(|own| {
-                    let is_in = |&k: &usize| inside.contains(&own.nodes[k]);
-                    cell.faces.iter().any(|face| face[..corners(face)].iter().all(is_in))
-                })
+                let is_in = |&k: &usize| inside.contains(&own.nodes[k]);
+                cell.faces.iter().any(|face| corners_of(cell.dimension, face).all(is_in))
             })
         };
         inside.iter().all(is_held) && ends()
@@ -195,22 +222,31 @@ impl<'a> Held<'a> {
     }
 }
 
-/// How many nodes of a face of so many nodes are corners; the corners stand first.
-fn corners_of(dimension: usize, nodes: usize) -> usize {
-    match (dimension, nodes) {
-        (3, 6) => 3,
-        (3, 8) => 4,
-        (3, other) => other,
-        _ => 2,
-    }
+/// The corners of a face: in the plane both ends, in space those that stand first.
+fn corners_of(dimension: usize, face: &[usize]) -> impl Iterator<Item = &usize> {
+    let [count, every] = match (dimension, face.len()) {
+        (3, 6) => [3, 1],
+        (3, 8) => [4, 1],
+        (3, other) => [other, 1],
+        (_, other) => [other, other.max(2) - 1],
+    };
+    face.iter().take(count).step_by(every)
 }
 
 /// Direction away from the axis of rings.
 const AXIS: Vector = [1.0, 0.0, 0.0];
 
-/// The elements that bodies are made of.
-fn parts(model: &Model) -> impl Iterator<Item = &ElementBlock> {
-    model.blocks.iter().filter(|block| block.kind.joins())
+/// The elements that bodies are made of, but those that are there in no step.
+fn parts(model: &Model) -> impl Iterator<Item = (&ElementBlock, Element<'_>)> {
+    let mut steps = model.steps.iter().map(|step| &step.presence.absent[..]);
+    let first = steps.next().unwrap_or_default();
+    let mut never = first.iter().copied().collect::<HashSet<ElementIndex>>();
+    steps.for_each(|absent| never.retain(|own| absent.contains(own)));
+    let blocks = model.blocks.iter().enumerate().filter(|(_, block)| block.kind.joins());
+    let all = blocks.flat_map(|(place, block)| {
+        block.elements.iter().enumerate().map(move |(member, own)| ((place, member), block, own))
+    });
+    all.filter(move |(index, ..)| !never.contains(index)).map(|(_, block, own)| (block, own))
 }
 
 /// Displacements that are known of every step.

@@ -126,7 +126,7 @@ fn across(print: &ContactPrint, ties: &[&Tie], draft: &mut Draft) -> Option<Sect
     let what = match (&section, variables.is_empty()) {
         (_, true) => "it has no pressures and gaps to print, but CFT".to_owned(),
         (None, false) => {
-            "no faces of deforming elements are at its slave, so that nothing is printed of it"
+            "its slave is not of faces of deforming elements alone, so that nothing is printed of it"
                 .to_owned()
         }
         (Some(_), false) if masters.len() > 1 => format!(
@@ -145,19 +145,20 @@ fn across(print: &ContactPrint, ties: &[&Tie], draft: &mut Draft) -> Option<Sect
     section
 }
 
-/// Whether no element behind a surface deforms: what passes through rigid bodies no element knows.
+/// Whether an element behind a surface does not deform: what passes through rigid bodies no element knows.
 fn is_rigid(section: &SectionPrint, draft: &Draft) -> bool {
     let links = draft.model.rigid_links.iter();
     let masters = links.clone().map(|link| (link.master, link.master));
     let body: HashMap<NodeIndex, NodeIndex> =
         masters.chain(links.map(|link| (link.dependent, link.master))).collect();
-    section.shares.iter().all(|share| {
-        let (block, member) = share.element;
-        let nodes = draft.model.blocks[block].elements.get(member).nodes;
-        let mut bodies = nodes.iter().map(|node| body.get(node));
-        let first = bodies.next().flatten();
-        first.is_some() && bodies.all(|other| other == first)
-    })
+    section.shares.is_empty()
+        || section.shares.iter().any(|share| {
+            let (block, member) = share.element;
+            let nodes = draft.model.blocks[block].elements.get(member).nodes;
+            let mut bodies = nodes.iter().map(|node| body.get(node));
+            let first = bodies.next().flatten();
+            first.is_some() && bodies.all(|other| other == first)
+        })
 }
 
 /// Whether a surface is made of faces of solids.

@@ -14,6 +14,9 @@ use crate::vector::{Vector, dot, scale, size, sub};
 /// Part of a vector below which nothing is left of it [1].
 const NOTHING: f64 = 1e-6;
 
+/// Cosine of the angle up to which two planes are across one another [1]: decks are written with a few digits.
+const RIGHT: f64 = 1e-4;
+
 /// A plane of symmetry at which a surface ends.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mirror {
@@ -59,7 +62,7 @@ impl Reflected {
             let copies = all.reflect((mirror.normal, through), &inside[place]);
             for (own, other) in inside.iter_mut().zip(mirrors) {
                 // an image lies in another plane with its node where both planes are across one another
-                let is_across = dot(mirror.normal, other.normal).abs() <= NOTHING;
+                let is_across = dot(mirror.normal, other.normal).abs() <= RIGHT;
                 let images = copies.iter().map(|&node| is_across && own[node]).collect::<Vec<_>>();
                 own.extend(images);
             }

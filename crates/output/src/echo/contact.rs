@@ -4,7 +4,7 @@ use super::words::{labels, number};
 use crate::number::general;
 use slideline_model::{
     ContactPair, Formulation, Friction, Master, MasterFaces, Model, NormalLaw, RigidSurface,
-    StickRule, Sweep, SymmetryPlane,
+    StickRule, Sweep,
 };
 use slideline_solve::observe::{ContactRow, Frame};
 use std::fmt::Write as _;
@@ -29,7 +29,7 @@ pub fn pair_echo(model: &Model, pair: &ContactPair) -> String {
         }
     }
     line!(text, "  master   {}", master(model, &pair.master));
-    for plane in planes(model, pair) {
+    for plane in model.planes_beyond(std::iter::once(pair)).into_iter().flatten() {
         let [x, y, z] = plane.normal.map(number);
         line!(
             text,
@@ -48,25 +48,6 @@ pub fn pair_echo(model: &Model, pair: &ContactPair) -> String {
     }
     line!(text, "  friction {}", friction_law(&interaction.friction));
     text
-}
-
-/// The planes of symmetry beyond which the smoothed master of a pair goes on.
-fn planes(model: &Model, pair: &ContactPair) -> Vec<SymmetryPlane> {
-    let is_smoothed = match &pair.master {
-        Master::Faces(faces) => faces.smooth && faces.swept.is_none(),
-        Master::SlideLine(line) => !line.is_ring(),
-        Master::RigidSurface(_) | Master::Itself(_) => false,
-    };
-    if !is_smoothed || pair.formulation != Formulation::NodeToSurface {
-        return Vec::new();
-    }
-    let ends = match &pair.master {
-        Master::SlideLine(line) => {
-            [line.nodes.first(), line.nodes.last()].into_iter().flatten().copied().collect()
-        }
-        other => other.deforming_nodes(),
-    };
-    model.symmetry_planes(&ends)
 }
 
 fn analytic(model: &Model, surface: &RigidSurface) -> String {

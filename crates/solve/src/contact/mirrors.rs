@@ -10,20 +10,7 @@
 
 use slideline_mech::surface::mesh::{MeshFace, surface_ends};
 use slideline_mech::surface::mirror::Mirror;
-use slideline_model::{ContactPair, ElementBlock, Formulation, Kinematics, Model, SymmetryPlane};
-
-/// The planes of symmetry at which masters end whose contact is sampled at nodes.
-pub fn planes(model: &Model) -> Vec<SymmetryPlane> {
-    // without solids nothing ends in a plane with a face
-    let is_solid = |block: &ElementBlock| matches!(block.kind.kinematics, Kinematics::Solid { .. });
-    if !model.blocks.iter().any(is_solid) {
-        return Vec::new();
-    }
-    let at_nodes = |pair: &&ContactPair| pair.formulation == Formulation::NodeToSurface;
-    let pairs = model.contact_pairs.iter().filter(at_nodes);
-    let nodes: Vec<_> = pairs.flat_map(|pair| pair.master.deforming_nodes()).collect();
-    if nodes.is_empty() { Vec::new() } else { model.symmetry_planes(&nodes) }
-}
+use slideline_model::SymmetryPlane;
 
 /// The planes in which faces at these undeformed positions [L] end.
 pub fn mirrors(

@@ -2,7 +2,6 @@
 
 use super::laws::{self, mean_length};
 use super::master::MasterSurface;
-use super::mirrors::planes;
 use super::mortar::slave::Mortar;
 use super::mortar_faces::slave::FaceMortar;
 use super::pairs::{Carrier, Contact};
@@ -29,10 +28,10 @@ impl Contact {
             directions: if model.is_in_space() { 2 } else { 1 },
             ..Self::default()
         };
-        let planes = planes(model);
+        let planes = model.planes_beyond(model.contact_pairs.iter());
         for (place, pair) in model.contact_pairs.iter().enumerate() {
             let at_nodes = pair.formulation == Formulation::NodeToSurface;
-            let beyond = at_nodes.then_some(&planes[..]);
+            let beyond = at_nodes.then(|| planes.get(place).map_or(&[][..], Vec::as_slice));
             contact.edges.push(Vec::new());
             contact.spread_nodes.push(Vec::new());
             match pair.formulation {
@@ -200,11 +199,11 @@ impl Contact {
         }
         self.take_points(model);
         self.take_segments(model);
-        let planes = planes(model);
+        let planes = model.planes_beyond(model.contact_pairs.iter());
         for (index, pair) in model.contact_pairs.iter().enumerate() {
             let length = mean_length(model, pair);
             let at_nodes = pair.formulation == Formulation::NodeToSurface;
-            let beyond = at_nodes.then_some(&planes[..]);
+            let beyond = at_nodes.then(|| planes.get(index).map_or(&[][..], Vec::as_slice));
             if !self.take_master(model, dofs, (index, &pair.master, length), beyond) {
                 return Err(index);
             }

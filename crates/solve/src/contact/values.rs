@@ -23,7 +23,8 @@ use slideline_mech::contact::points::{
 use slideline_mech::surface::mesh::FaceMesh;
 use slideline_mech::vector::{size, sub};
 use slideline_model::{
-    ContactPair, Formulation, Master, Model, NodeIndex, RigidSurface, SymmetryPlane,
+    ContactPair, Formulation, Master, MasterFaces, Model, NodeIndex, RigidSurface, SlideLine,
+    SymmetryPlane,
 };
 use std::collections::HashMap;
 
@@ -181,51 +182,11 @@ impl Contact {
                 (*chain, *itself) = (line, Some(Box::new(own)));
                 true
             }
-            (MasterSurface::Line { chain, nodes, beyond, .. }, Master::SlideLine(line)) => {
-                let before = (nodes.len(), beyond.counts);
-                *beyond = continued((model, dofs), (line, planes), nodes);
-                if (nodes.len(), beyond.counts) != before {
-                    return false;
-                }
-                let places = || nodes.iter().map(|(at, _)| *at);
-                let lengths = places().zip(places().skip(1)).map(|(a, b)| size(sub(b, a)));
-                (chain.slave, chain.is_ring) = (slave, line.is_ring());
-                let whole = chain.take(lengths, line.smooth.unwrap_or(0.0), line.extension);
-                if line.smooth.is_none() {
-                    chain.round(places());
-                }
-                chain.continue_by(beyond.counts);
-                whole
+            (own @ MasterSurface::Line { .. }, Master::SlideLine(line)) => {
+                own.take_line((model, dofs), (line, planes), slave)
             }
-            (
-                MasterSurface::Faces { mesh, nodes, extension, itself, offset },
-                Master::Faces(faces),
-            ) => {
-                *extension = faces.extension;
-                if let Some(said) = &faces.swept {
-                    let Some(swept) = swept_profile(said) else { return false };
-                    if mesh.swept() != Some(&swept) {
-                        *mesh = FaceMesh::analytical(swept);
-                    }
-                }
-                for ((position, _), node) in nodes.iter_mut().zip(faces.nodes()) {
-                    *position = model.nodes.get(node).position;
-                }
-                let planes = planes.unwrap_or_default();
-                if !(planes.is_empty() && mesh.planes().is_empty()) {
-                    // what smooths it follows where its images stand
-                    let made =
-                        MasterSurface::faces((model, dofs), (faces, planes), (*offset, slave));
-                    let MasterSurface::Faces { mesh: made, .. } = made else { return false };
-                    if !mesh.follows_as(&made) {
-                        return false;
-                    }
-                    *mesh = made;
-                }
-                if let Some(own) = itself {
-                    own.take(mesh, nodes.iter().map(|(at, _)| *at));
-                }
-                true
+            (own @ MasterSurface::Faces { .. }, Master::Faces(faces)) => {
+                own.take_faces((model, dofs), (faces, planes.unwrap_or_default()), slave)
             }
             (MasterSurface::Nothing, Master::RigidSurface(said)) => {
                 matches!(MasterSurface::body(model, dofs, said, slave), MasterSurface::Nothing)
@@ -299,4 +260,63 @@ fn take_profile(
 
 fn distance(model: &Model, nodes: [NodeIndex; 2]) -> f64 {
     chord(nodes.map(|node| model.nodes.get(node).position))
+}
+
+impl MasterSurface {
+    /// Takes the places of a line; false where it has no extent any more, or goes on otherwise beyond its ends.
+    fn take_line(
+        &mut self,
+        from: (&Model, &DofMap),
+        (line, planes): (&SlideLine, Option<&[SymmetryPlane]>),
+        slave: f64,
+    ) -> bool {
+        let Self::Line { chain, nodes, beyond, .. } = self else { return false };
+        let before = (nodes.len(), beyond.counts);
+        *beyond = continued(from, (line, planes), nodes);
+        if (nodes.len(), beyond.counts) != before {
+            return false;
+        }
+        let places = || nodes.iter().map(|(at, _)| *at);
+        let lengths = places().zip(places().skip(1)).map(|(a, b)| size(sub(b, a)));
+        (chain.slave, chain.is_ring) = (slave, line.is_ring());
+        let whole = chain.take(lengths, line.smooth.unwrap_or(0.0), line.extension);
+        if line.smooth.is_none() {
+            chain.round(places());
+        }
+        chain.continue_by(beyond.counts);
+        whole
+    }
+
+    /// Takes the places of faces; false where what smooths them follows other nodes.
+    fn take_faces(
+        &mut self,
+        (model, dofs): (&Model, &DofMap),
+        (faces, planes): (&MasterFaces, &[SymmetryPlane]),
+        slave: f64,
+    ) -> bool {
+        let Self::Faces { mesh, nodes, extension, itself, offset } = self else { return false };
+        *extension = faces.extension;
+        if let Some(said) = &faces.swept {
+            let Some(swept) = swept_profile(said) else { return false };
+            if mesh.swept() != Some(&swept) {
+                *mesh = FaceMesh::analytical(swept);
+            }
+        }
+        for ((position, _), node) in nodes.iter_mut().zip(faces.nodes()) {
+            *position = model.nodes.get(node).position;
+        }
+        if faces.swept.is_none() && !(planes.is_empty() && mesh.planes().is_empty()) {
+            // what smooths it follows where its images stand
+            let made = Self::faces((model, dofs), (faces, planes), (*offset, slave));
+            let Self::Faces { mesh: made, .. } = made else { return false };
+            if !mesh.follows_as(&made) {
+                return false;
+            }
+            *mesh = made;
+        }
+        if let Some(own) = itself {
+            own.take(mesh, nodes.iter().map(|(at, _)| *at));
+        }
+        true
+    }
 }

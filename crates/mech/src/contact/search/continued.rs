@@ -2,14 +2,13 @@
 //!
 //! ```text
 //!    4 5 [0 1 2 3 4 5] 0 1      a ring is met at its own segments; those beside its seam tell its curves there
-//!    2'1'[0 1 2 3 . .           of an image the segment beside the plane is met, for what stands upon that
+//!    2'1'[0 1 2 3 . .           an image is met too
 //! ```
 //!
 //! docs/theory.md section 5.3.
 
 use super::chain::{Chain, Piece, PieceKind, flat};
 use super::{cross, dot, project_line, sub};
-use std::ops::Range;
 
 impl Chain {
     /// So many segments before and behind continue it: the arc begins behind the former, and what a ring is met at are
@@ -25,29 +24,15 @@ impl Chain {
         self.own.contains(&index)
     }
 
-    /// The segments at which points are met, and the corners where they begin: a ring has each once, and what goes
-    /// farther beyond a plane of symmetry than its first segment has left the model.
-    pub(super) fn met_part(&self) -> Range<usize> {
-        match self.is_ring {
-            true => self.own.clone(),
-            false => self.own.start.saturating_sub(1)..(self.own.end + 1).min(self.lengths.len()),
-        }
-    }
-
-    /// Whether points are met at a segment.
+    /// Whether points are met at a segment, and at the corner where that begins: a ring has each once.
     pub(super) fn is_met(&self, index: usize) -> bool {
-        self.met_part().contains(&index)
+        !self.is_ring || self.is_own(index)
     }
 
-    /// The segment of a ring, or the node at which that begins, for which one that continues it stands; of an image the
-    /// nearest one that is met.
+    /// The segment of a ring, or the node at which that begins, for which one that continues it stands.
     pub(super) fn met(&self, index: usize) -> usize {
         match self.is_met(index) {
             true => index,
-            false if !self.is_ring => {
-                let part = self.met_part();
-                index.clamp(part.start, part.end.saturating_sub(1).max(part.start))
-            }
             false => {
                 let (start, count) = (self.own.start, self.own.len());
                 start + (index + count - start % count) % count
@@ -72,9 +57,8 @@ impl Chain {
         if self.own.len() < self.lengths.len() && self.is_ring {
             return None;
         }
-        let part = self.met_part();
-        let last = part.end.checked_sub(1)?;
-        let ends = [(part.start, 0.0), (last, 1.0)].into_iter().filter_map(|(index, end)| {
+        let last = self.lengths.len().checked_sub(1)?;
+        let ends = [(0, 0.0), (last, 1.0)].into_iter().filter_map(|(index, end)| {
             let (a, b) = (flat(*positions.get(index)?), flat(*positions.get(index + 1)?));
             let xi = project_line(a, b, point)?;
             let beyond = if end == 0.0 { xi < 0.0 } else { xi > 1.0 };
