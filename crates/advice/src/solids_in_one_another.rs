@@ -54,7 +54,8 @@ fn twice(model: &Model) -> Option<Finding> {
     let mut found: Option<(u64, u64, Span)> = None;
     let mut count = 0;
     for (block, element) in present(model) {
-        let corners = corners(block.kind.cell.dimension, block.kind.cell.nodes)?.len();
+        let cell = block.kind.cell;
+        let Some(corners) = corners(cell.dimension, cell.nodes).map(<[_]>::len) else { continue };
         let mut nodes = element.nodes[..corners].to_vec();
         nodes.sort_unstable();
         if let Some(first) = known.insert(nodes, element.label) {

@@ -13,8 +13,8 @@ use crate::corners::corners;
 use slideline_diag::Span;
 use slideline_mech::contact::search::tree::{Bounds, BoxTree};
 use slideline_mech::element::cell::{Cell, within};
-use slideline_model::{Element, ElementBlock, ElementIndex, Kinematics, Model, NodeIndex};
-use std::collections::{BTreeMap, HashSet};
+use slideline_model::{Element, ElementBlock, Kinematics, Model, NodeIndex};
+use std::collections::BTreeMap;
 
 /// Part of the way from a corner to the middle of its element at which the element is looked at [1]: off all
 /// nodes, edges and faces of a mesh of the same grid, and deeper than sides of round layers stand in one another.
@@ -56,11 +56,13 @@ pub fn standing_in(model: &Model, bodies: &Bodies, reach: f64) -> Vec<StandingIn
     for (own, &about) in solids.iter().zip(&bounds) {
         near.clear();
         tree.overlapping(about, |place| near.push(place));
-        for other in near.iter().map(|&place| &solids[place]).filter(|other| other.body != own.body)
-        {
+        for &place in &near {
+            let (other, (low, high)) = (&solids[place], bounds[place]);
             let bodies = [own.body.min(other.body), own.body.max(other.body)];
-            if !found.contains_key(&bodies)
-                && own.points().any(|point| other.holds(point, UPON * reach))
+            let is_near = |at: [f64; 3]| (0..3).all(|k| low[k] <= at[k] && at[k] <= high[k]);
+            if other.body != own.body
+                && !found.contains_key(&bodies)
+                && own.points().any(|at| is_near(at) && other.holds(at, UPON * reach))
             {
                 let inner = (own.label, own.origin);
                 found.insert(bodies, StandingIn { bodies, inner, outer: other.label });
@@ -84,8 +86,7 @@ fn solids(model: &Model, bodies: &Bodies) -> Vec<Solid> {
 
 /// Solids that no step takes away.
 pub fn present(model: &Model) -> impl Iterator<Item = (&ElementBlock, Element<'_>)> {
-    let gone: HashSet<ElementIndex> =
-        model.steps.iter().flat_map(|step| &step.presence.absent).copied().collect();
+    let gone = model.taken_away();
     let solid = |block: &ElementBlock| matches!(block.kind.kinematics, Kinematics::Solid { .. });
     let blocks = model.blocks.iter().enumerate().filter(move |(_, block)| solid(block));
     let all = blocks.flat_map(|(place, block)| {

@@ -15,9 +15,7 @@
 use crate::finding::Finding;
 use crate::start::{Start, length, less};
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_model::{
-    Dof, ElementBlock, ElementIndex, Kinematics, Master, Model, NodeIndex, Prescribed,
-};
+use slideline_model::{Dof, ElementBlock, Kinematics, Master, Model, NodeIndex, Prescribed};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 /// Nodes nearer than this part of the shortest edge of their faces stand at one place [1].
@@ -107,8 +105,7 @@ fn same_places(model: &Model, a: &Skin, b: &Skin) -> Option<Vec<[NodeIndex; 2]>>
 
 /// The faces that one solid alone has, of what no step takes away.
 fn skins(model: &Model) -> Vec<Skin> {
-    let gone: HashSet<ElementIndex> =
-        model.steps.iter().flat_map(|step| &step.presence.absent).copied().collect();
+    let gone = model.taken_away();
     let mut owners: HashMap<[NodeIndex; CORNERS], Option<Skin>> = HashMap::new();
     for (place, block) in model.blocks.iter().enumerate() {
         if !matches!(block.kind.kinematics, Kinematics::Solid { .. }) {

@@ -8,7 +8,7 @@
 //! docs/theory.md section 4.11.
 
 use crate::pressure::{Face, MOST_NODES, tangents};
-use crate::vector::cross;
+use crate::vector::{cross, dot};
 
 /// What displacements of the nodes make of the turn of a face: a matrix for each [1/L].
 pub type Turn = [[[f64; 3]; 3]; MOST_NODES];
@@ -50,10 +50,6 @@ pub fn swing(turn: &[[f64; 3]; 3], arm: [f64; 3]) -> [[f64; 3]; 3] {
         way.into_iter().enumerate().for_each(|(row, way)| swing[row][axis] = way);
     }
     swing
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 #[cfg(test)]

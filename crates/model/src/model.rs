@@ -9,6 +9,7 @@ use crate::element::block::{Allowable, ElementBlock};
 use crate::initial_stress::{InitialHardening, InitialStress};
 use crate::kept_shape::KeptShape;
 use crate::node::{Dof, LinearConstraint, NodeIndex, NodeSet, Nodes, RigidLink};
+use crate::presence::ElementIndex;
 use crate::step::Step;
 use crate::tested::Tested;
 use crate::transform::Transform;
@@ -16,6 +17,7 @@ use crate::vocabulary::Vocabulary;
 use slideline_mech::axes::Axes;
 use slideline_mech::contact::onset::Onset;
 use slideline_mech::element::Temperature;
+use std::collections::HashSet;
 
 /// A whole problem.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -127,6 +129,11 @@ impl Model {
     /// Whether the plane of the model is half a section of parts that go all round axis 2.
     pub fn is_of_rings(&self) -> bool {
         self.blocks.iter().any(|block| block.kind.is_ring())
+    }
+
+    /// Elements that some step takes away.
+    pub fn taken_away(&self) -> HashSet<ElementIndex> {
+        self.steps.iter().flat_map(|step| &step.presence.absent).copied().collect()
     }
 
     /// The directions in which a rigid body of the model moves.

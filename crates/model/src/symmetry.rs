@@ -2,8 +2,8 @@
 //!
 //! ```text
 //!            |o----o----        the whole model lies on one side of the plane, elements end in it with a
-//!   mirror   |o    |            face, and every node of elements there is held across the plane, but those that
-//!    image   |o----o----        are asked for not along it: a clamped end is no such plane
+//!   mirror   |o    |            face, and every node of elements there is held across the plane, but those at which
+//!    image   |o----o----        the master ends not along it: a clamped end is no such plane
 //! ```
 //!
 //! docs/theory.md section 5.3.
@@ -16,6 +16,7 @@ use crate::presence::ElementIndex;
 use crate::step::{Prescribed, Step};
 use crate::surface::Master;
 use slideline_mech::axes::Axes;
+use slideline_mech::surface::mirror::across;
 use slideline_mech::vector::{Vector, dot, scale, size, sub};
 use std::collections::{HashMap, HashSet};
 
@@ -74,33 +75,7 @@ impl Model {
             return Vec::new();
         }
         let held = Held::new(self);
-        pairs.map(|pair| self.planes_at(&held, &ends_of_master(pair))).collect()
-    }
-
-    /// The planes of symmetry in which some of these nodes lie, the axis of rings among them.
-    pub fn symmetry_planes(&self, nodes: &[NodeIndex]) -> Vec<SymmetryPlane> {
-        self.planes_at(&Held::new(self), nodes)
-    }
-
-    fn planes_at(&self, held: &Held<'_>, nodes: &[NodeIndex]) -> Vec<SymmetryPlane> {
-        let mut known: Vec<(Vector, (f64, f64))> = Vec::new();
-        let mut tested: Vec<SymmetryPlane> = Vec::new();
-        let candidates = held.shared_candidates(nodes);
-        for (node, normal) in candidates {
-            let place = known.iter().position(|(own, _)| is_same(*own, normal));
-            let place = place.unwrap_or_else(|| {
-                known.push((normal, held.reach(normal)));
-                known.len() - 1
-            });
-            let (normal, (low, high)) = known[place];
-            for level in [low, high] {
-                let plane = SymmetryPlane { normal, level, room: held.room() };
-                if plane.holds(self.nodes.position(node)) && !tested.contains(&plane) {
-                    tested.push(plane);
-                }
-            }
-        }
-        tested.into_iter().filter(|plane| held.ends_in(plane)).collect()
+        pairs.map(|pair| held.planes(&ends_of_master(pair))).collect()
     }
 }
 
@@ -127,11 +102,32 @@ impl<'a> Held<'a> {
             all.fold(f64::NEG_INFINITY, f64::max) - low
         };
         let size = if nodes.is_empty() { 0.0 } else { size([0, 1, 2].map(bounds)) };
-        let still = |own: &Prescribed| own.value == 0.0 || own.fixed;
-        let (held, told) =
-            (directions(model, still, in_every), directions(model, |_| true, in_any));
+        let held = directions(model, is_still, |one, other| one & other);
+        let told = directions(model, |_| true, |one, other| one | other);
         let links = model.rigid_links.iter().map(|link| (link.dependent, link)).collect();
         Self { model, directions: held, told, still: unturned(model), links, nodes, size }
+    }
+
+    /// The planes of symmetry in which some of these nodes lie, the axis of rings among them.
+    fn planes(&self, nodes: &[NodeIndex]) -> Vec<SymmetryPlane> {
+        let mut known: Vec<(Vector, (f64, f64))> = Vec::new();
+        let mut tested: Vec<SymmetryPlane> = Vec::new();
+        for (node, normal) in self.shared_candidates(nodes) {
+            let place = known.iter().position(|(own, _)| is_same(*own, normal));
+            let place = place.unwrap_or_else(|| {
+                known.push((normal, self.reach(normal)));
+                known.len() - 1
+            });
+            let (normal, (low, high)) = known[place];
+            for level in [low, high] {
+                let plane = SymmetryPlane { normal, level, room: self.room() };
+                if plane.holds(self.model.nodes.position(node)) && !tested.contains(&plane) {
+                    tested.push(plane);
+                }
+            }
+        }
+        tested.retain(|plane| self.ends_in(plane));
+        tested
     }
 
     fn dimension(&self) -> usize {
@@ -205,11 +201,7 @@ impl<'a> Held<'a> {
     /// Whether a node is held along a direction, by itself or by the rigid body that it belongs to, which does not turn.
     fn holds(&self, node: NodeIndex, normal: Vector) -> bool {
         let is_held = |node: NodeIndex| {
-            self.directions.get(&node).is_some_and(|of| {
-                let left =
-                    of.iter().fold(normal, |left, own| sub(left, scale(*own, dot(left, *own))));
-                size(left) <= SAME
-            })
+            self.directions.get(&node).is_some_and(|of| size(across(normal, of)) <= SAME)
         };
         let by_link = |link: &&&RigidLink| {
             let moves = &link.follows[..self.dimension()];
@@ -238,50 +230,44 @@ const AXIS: Vector = [1.0, 0.0, 0.0];
 
 /// The elements that bodies are made of, but those that are there in no step.
 fn parts(model: &Model) -> impl Iterator<Item = (&ElementBlock, Element<'_>)> {
-    let mut steps = model.steps.iter().map(|step| &step.presence.absent[..]);
-    let first = steps.next().unwrap_or_default();
-    let mut never = first.iter().copied().collect::<HashSet<ElementIndex>>();
-    steps.for_each(|absent| never.retain(|own| absent.contains(own)));
+    let is_there = |index: ElementIndex| {
+        model.steps.is_empty() || model.steps.iter().any(|step| step.presence.has(index))
+    };
     let blocks = model.blocks.iter().enumerate().filter(|(_, block)| block.kind.joins());
-    let all = blocks.flat_map(|(place, block)| {
-        block.elements.iter().enumerate().map(move |(member, own)| ((place, member), block, own))
-    });
-    all.filter(move |(index, ..)| !never.contains(index)).map(|(_, block, own)| (block, own))
+    blocks.flat_map(move |(place, block)| {
+        let all = block.elements.iter().enumerate();
+        let there = all.filter(move |(member, _)| is_there((place, *member)));
+        there.map(move |(_, own)| (block, own))
+    })
 }
 
-/// Displacements that are known of every step.
-fn in_every(
-    known: HashSet<(NodeIndex, Dof)>,
-    of_step: &HashSet<(NodeIndex, Dof)>,
-) -> HashSet<(NodeIndex, Dof)> {
-    &known & of_step
+/// Displacements and rotations of nodes.
+type Known = HashSet<(NodeIndex, Dof)>;
+
+/// How what is known of two steps comes together.
+type Together = fn(&Known, &Known) -> Known;
+
+/// What supports like these hold, in steps that come together so.
+fn known(model: &Model, counts: impl Fn(&Prescribed) -> bool, together: Together) -> Known {
+    let of_step = |step: &Step| -> Known {
+        let own = step.prescribed.iter().filter(|own| counts(own));
+        own.map(|own| (own.node, own.dof)).collect()
+    };
+    let all = model.steps.iter().map(of_step);
+    all.reduce(|known, own| together(&known, &own)).unwrap_or_default()
 }
 
-/// Displacements that are known of some step.
-fn in_any(
-    known: HashSet<(NodeIndex, Dof)>,
-    of_step: &HashSet<(NodeIndex, Dof)>,
-) -> HashSet<(NodeIndex, Dof)> {
-    &known | of_step
+/// Whether a support holds at zero.
+fn is_still(own: &Prescribed) -> bool {
+    own.value == 0.0 || own.fixed
 }
 
-/// How what is known of steps comes together.
-type Together =
-    fn(HashSet<(NodeIndex, Dof)>, &HashSet<(NodeIndex, Dof)>) -> HashSet<(NodeIndex, Dof)>;
-
-/// Nodes whose rotations are held at zero in every step.
+/// References of rigid bodies whose rotations are held at zero in every step.
 fn unturned(model: &Model) -> HashSet<NodeIndex> {
     let all = if model.is_in_space() { &[Dof::UR1, Dof::UR2, Dof::UR3][..] } else { &[Dof::UR3] };
-    let is_still = |step: &Step, node: NodeIndex, dof: Dof| {
-        let mut own = step.prescribed.iter().filter(|own| (own.node, own.dof) == (node, dof));
-        own.any(|own| own.value == 0.0 || own.fixed)
-    };
-    let masters: HashSet<_> = model.rigid_links.iter().map(|link| link.master).collect();
-    let is_unturned = |node: &NodeIndex| {
-        let steps = || model.steps.iter();
-        all.iter().all(|&dof| steps().all(|step| is_still(step, *node, dof)))
-    };
-    masters.into_iter().filter(is_unturned).collect()
+    let known = known(model, is_still, |one, other| one & other);
+    let masters = model.rigid_links.iter().map(|link| link.master);
+    masters.filter(|node| all.iter().all(|&dof| known.contains(&(*node, dof)))).collect()
 }
 
 /// The directions in which nodes are held by supports like these, in steps that come together so.
@@ -328,7 +314,7 @@ fn is_same(a: Vector, b: Vector) -> bool {
 /// Takes a direction in, as far as it is a new one.
 fn add(directions: &mut Vec<Vector>, new: Vector) {
     let whole = size(new);
-    let left = directions.iter().fold(new, |left, own| sub(left, scale(*own, dot(left, *own))));
+    let left = across(new, directions);
     let rest = size(left);
     if rest > SAME * whole {
         directions.push(scale(left, 1.0 / rest));
@@ -341,18 +327,10 @@ fn held(
     counts: impl Fn(&Prescribed) -> bool,
     together: Together,
 ) -> Vec<(NodeIndex, Dof)> {
-    let of = |own: &Prescribed| (own.node, own.dof);
-    let mut known: Option<HashSet<(NodeIndex, Dof)>> = None;
-    for step in &model.steps {
-        let own = step.prescribed.iter().filter(|own| counts(own)).map(of).collect::<HashSet<_>>();
-        known = Some(match known {
-            Some(known) => together(known, &own),
-            None => own,
-        });
-    }
-    let mut known = known.unwrap_or_default();
+    let mut known = known(model, counts, together);
     let mut listed = HashSet::new();
-    let steps = model.steps.iter().flat_map(|step| &step.prescribed).map(of);
+    let steps = model.steps.iter().flat_map(|step| &step.prescribed);
+    let steps = steps.map(|own| (own.node, own.dof));
     let mut all: Vec<_> = steps.filter(|own| known.contains(own) && listed.insert(*own)).collect();
     all.retain(|(_, dof)| !dof.is_rotation());
     loop {

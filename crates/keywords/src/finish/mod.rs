@@ -7,6 +7,7 @@ mod axes;
 mod axes_of_elements;
 mod beam_normals;
 mod behind;
+mod bodies;
 mod chain;
 mod changed_sections;
 mod clearances;

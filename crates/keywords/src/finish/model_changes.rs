@@ -11,6 +11,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{ContactPair, ElementIndex, Load, NodeIndex, Presence};
 
+use super::bodies::Bodies;
 use crate::changes::{Act, Changed, ModelChange};
 use crate::draft::{Draft, ElementKind, StepDraft};
 use crate::log::Target;
@@ -159,18 +160,10 @@ impl Absent {
     /// Nodes of absent elements that are a part of a rigid body each, and that no element has that is
     /// there: they move with the body, but nothing of it is there.
     fn bare_bodies(&self, draft: &Draft) -> HashSet<NodeIndex> {
-        let links = draft.model.rigid_links.iter();
-        // a reference node may be one of the mesh
-        let masters = links.clone().map(|link| (link.master, link.master));
-        let body: HashMap<NodeIndex, NodeIndex> =
-            masters.chain(links.map(|link| (link.dependent, link.master))).collect();
+        let bodies = Bodies::of(draft);
         let nodes = |own: usize| draft.elements[own].nodes().iter();
         let found = |own: usize| nodes(own).filter_map(|&label| draft.model.nodes.find(label));
-        let is_rigid = |own: &usize| {
-            let mut bodies = found(*own).map(|node| body.get(&node));
-            let first = bodies.next().flatten();
-            first.is_some() && bodies.all(|other| other == first)
-        };
+        let is_rigid = |own: &usize| bodies.hold_all(found(*own));
         let absent = self.elements.keys().copied();
         let mut bare: HashSet<NodeIndex> = absent.filter(is_rigid).flat_map(found).collect();
         if !bare.is_empty() {

@@ -1,13 +1,12 @@
 //! Contact pairs whose surfaces stick together from the start: they are ties.
 
-use std::collections::HashMap;
-
 use slideline_diag::{Code, Diagnostic};
 use slideline_model::{
-    ContactPrint, ContactVariable, Formulation, Friction, Interaction, NodeIndex, NormalLaw,
-    Request, SectionPrint, SectionVariable,
+    ContactPrint, ContactVariable, Formulation, Friction, Interaction, NormalLaw, Request,
+    SectionPrint, SectionVariable,
 };
 
+use super::bodies::Bodies;
 use super::faces::faces;
 use super::section_prints::with_faces;
 use crate::constraints::Tie;
@@ -147,17 +146,12 @@ fn across(print: &ContactPrint, ties: &[&Tie], draft: &mut Draft) -> Option<Sect
 
 /// Whether an element behind a surface does not deform: what passes through rigid bodies no element knows.
 fn is_rigid(section: &SectionPrint, draft: &Draft) -> bool {
-    let links = draft.model.rigid_links.iter();
-    let masters = links.clone().map(|link| (link.master, link.master));
-    let body: HashMap<NodeIndex, NodeIndex> =
-        masters.chain(links.map(|link| (link.dependent, link.master))).collect();
+    let bodies = Bodies::of(draft);
     section.shares.is_empty()
         || section.shares.iter().any(|share| {
             let (block, member) = share.element;
-            let nodes = draft.model.blocks[block].elements.get(member).nodes;
-            let mut bodies = nodes.iter().map(|node| body.get(node));
-            let first = bodies.next().flatten();
-            first.is_some() && bodies.all(|other| other == first)
+            let element = draft.model.blocks[block].elements.get(member);
+            bodies.hold_all(element.nodes.iter().copied())
         })
 }
 

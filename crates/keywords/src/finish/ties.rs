@@ -7,7 +7,6 @@
 //! ```
 
 mod arms;
-mod bodies;
 mod master;
 mod means;
 
@@ -18,6 +17,7 @@ use slideline_mech::element::solid::smallest_jacobian;
 use slideline_mech::pressure::{Face, Nearest};
 use slideline_model::{Dialect, Dof, Kinematics, NodeIndex, NumberedSet};
 
+use super::bodies::Bodies;
 use super::equations::add;
 use super::faces::{faces, nodes_of_surface};
 use super::one_node::is_one;
@@ -27,7 +27,6 @@ use crate::draft::Draft;
 use crate::rule::Subject;
 use crate::surfaces::{Extent, NamedSurface};
 use arms::{Arm, arms, join, judge_arms, open_circles};
-use bodies::Bodies;
 use master::{Master, nearest};
 use means::{Means, Shares, means, misplaced};
 

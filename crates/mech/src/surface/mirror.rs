@@ -93,7 +93,7 @@ impl Reflected {
         copies
     }
 
-    /// The face of which another one is an image, where it is one.
+    /// Whether a face is an image.
     pub fn is_image(&self, face: usize) -> bool {
         face >= self.own
     }

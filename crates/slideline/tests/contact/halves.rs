@@ -212,8 +212,7 @@ fn a_quarter_of_a_model_has_a_quarter_of_its_force() {
 fn planes(half: &Cut, held: &str) -> usize {
     let read = Job::read_text("half", &half.deck(held), &ReadOptions::default());
     let model = read.model.unwrap();
-    let nodes = model.contact_pairs[0].master.deforming_nodes();
-    model.symmetry_planes(&nodes).len()
+    model.planes_beyond(model.contact_pairs.iter())[0].len()
 }
 
 /// Requirement: a plane is one of symmetry where all nodes in it are held across it and not all of them along it, by
@@ -246,13 +245,21 @@ fn what_ends_there_is_asked_itself() {
     assert_eq!(planes(&half, &clamped("")), 0, "the rim itself");
     let found = |deck: &str| {
         let model = Job::read_text("half", deck, &ReadOptions::default()).model.unwrap();
-        model.symmetry_planes(&model.contact_pairs[0].master.deforming_nodes()).len()
+        model.planes_beyond(model.contact_pairs.iter())[0].len()
     };
     let deck = half.deck("X0, 1, 1\n");
     assert_eq!(found(&deck), 1);
     let later =
         format!("{deck}\n*STEP, NLGEOM\n*STATIC\n1., 1.\n*BOUNDARY\n{rim}, 2, 2\n*END STEP");
     assert_eq!(found(&later), 0, "in a later step");
+    // what is there in no step bounds nothing
+    let beyond = "*NODE\n9001, -1., 0.\n9002, -0.5, 0.\n9003, -0.5, 1.\n9004, -1., 1.\n\
+                  *ELEMENT, TYPE=CPS4, ELSET=BEYOND\n9001, 9001, 9002, 9003, 9004\n\
+                  *SOLID SECTION, ELSET=BEYOND, MATERIAL=M\n1.\n*STEP";
+    let with = deck.replace("*STEP", beyond);
+    assert_eq!(found(&with), 0, "a part beyond the plane");
+    let removed = with.replace("*END STEP", "*MODEL CHANGE, REMOVE\nBEYOND\n*END STEP");
+    assert_eq!(found(&removed), 1, "one that is removed");
     let rings = deck.replace("CPS4", "CAX4");
     assert_eq!(found(&rings), 1, "the axis");
     let moved: String = rings.lines().map(|line| moved_off(line) + "\n").collect();

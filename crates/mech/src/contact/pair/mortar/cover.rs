@@ -243,3 +243,6 @@ fn projected(point: Place<f64>, slave: &Curve<f64>, ends: &[MeanNormal<f64>; 2])
     }
     Some(t)
 }
+
+#[cfg(test)]
+mod tests;

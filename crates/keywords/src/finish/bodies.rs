@@ -1,4 +1,4 @@
-//! Tied nodes of rigid bodies: what one body moves on both sides of a tie needs none.
+//! Which nodes rigid bodies move as a whole. What one body moves on both sides of a tie needs none.
 //!
 //! ```text
 //!      \\ s m /         s, m: nodes at the seam of two halves
@@ -10,7 +10,6 @@ use std::collections::HashMap;
 
 use slideline_model::NodeIndex;
 
-use super::means::Shares;
 use crate::draft::Draft;
 
 /// Share of a node in a place below which it is none [1].
@@ -37,9 +36,16 @@ impl Bodies {
         self.0.contains_key(&node)
     }
 
+    /// Whether one body moves all of these nodes.
+    pub fn hold_all(&self, nodes: impl IntoIterator<Item = NodeIndex>) -> bool {
+        let mut bodies = nodes.into_iter().map(|node| self.0.get(&node));
+        let first = bodies.next().flatten();
+        first.is_some() && bodies.all(|other| other == first)
+    }
+
     /// Whether one body moves a slave node and all that it is tied to, so that it stays where it is there.
     /// Two nodes at one place are one in contact, as those that are held alike.
-    pub fn hold(&self, node: NodeIndex, shares: &Shares, draft: &mut Draft) -> bool {
+    pub fn hold(&self, node: NodeIndex, shares: &[(NodeIndex, f64)], draft: &mut Draft) -> bool {
         let Some(body) = self.0.get(&node) else { return false };
         let some = || shares.iter().filter(|(_, share)| share.abs() > NOTHING);
         if !some().all(|(own, _)| self.0.get(own) == Some(body)) {
