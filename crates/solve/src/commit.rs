@@ -129,7 +129,7 @@ pub fn locate_points(
         point.normal = kinematics.normal;
         point.area = kinematics.area;
         point.xi = kinematics.xi;
-        point.footing = kinematics.footing;
+        (point.footing, point.segment) = (kinematics.footing, kinematics.segment());
     }
     if before.is_none() {
         contact.bond(&mut committed.points);

@@ -95,6 +95,8 @@ pub struct PointState {
     pub xi: f64,
     /// Where it stands on faces in space.
     pub footing: Option<Footing>,
+    /// On which segment of a line of nodes, or of a rigid surface.
+    pub segment: Option<usize>,
 }
 
 impl PointState {
@@ -119,6 +121,11 @@ impl PointState {
             Some(footing) => footing.directions(),
             None => [[y, -x, 0.0], [0.0, 0.0, 1.0]],
         }
+    }
+
+    /// The face of its master, or the segment of a line of nodes or a rigid surface, on which it stands.
+    pub fn stands_on(&self) -> Option<usize> {
+        self.footing.map(|footing| footing.place.face).or(self.segment)
     }
 
     /// What the contact laws want to know of it.

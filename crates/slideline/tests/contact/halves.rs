@@ -30,13 +30,21 @@ struct Cut {
     across: [bool; 2],
     /// How round the master is: out, or in [1/L].
     bend: f64,
+    /// Whether it is a roof of two straight sides instead, which fall by half of that.
+    is_roof: bool,
     /// By how much it is turned in the plane of x and y [rad].
     angle: f64,
     laws: &'static str,
 }
 
-const WHOLE: Cut =
-    Cut { is_in_space: false, across: [false; 2], bend: -0.15, angle: 0.0, laws: "" };
+const WHOLE: Cut = Cut {
+    is_in_space: false,
+    across: [false; 2],
+    bend: -0.15,
+    is_roof: false,
+    angle: 0.0,
+    laws: "",
+};
 
 impl Cut {
     /// Numbers along both axes of the nodes of a body.
@@ -61,7 +69,8 @@ impl Cut {
 
     fn place(&self, [i, j, k]: [i64; 3], body: usize) -> [f64; 3] {
         let [x, y] = [i, j].map(|n| n as f64 * CELLS[body].1);
-        let (top, t) = (0.5 * self.bend * (x * x + y * y), k as f64 / LAYERS as f64);
+        let rise = if self.is_roof { x.abs() } else { x * x + y * y };
+        let (top, t) = (0.5 * self.bend * rise, k as f64 / LAYERS as f64);
         // the slave is flatter: it is met in the middle first
         let z =
             if body == 0 { -1.0 + t * (1.0 + top) } else { (1.0 - t) * (0.8 * top).max(top) + t };
@@ -188,6 +197,49 @@ fn half_of_a_model_has_half_of_its_force() {
         let [own, expected] = [half.force(&of_half), 0.5 * whole.force(&of_whole)];
         assert!((own - expected).abs() < 1e-8 * expected.abs(), "{bend}: {own} {expected}");
         assert!(of_half.off < 1e-5 && of_half.worst < 1e-10, "{} {}", of_half.off, of_half.worst);
+    }
+}
+
+/// Requirement: a node upon the ridge of a roof, in the middle of a model, keeps a side while it sticks, whatever rounding
+/// tells of the nearer one. It went to and fro between both, and no increment ended.
+#[test]
+fn a_node_on_a_ridge_keeps_its_side() {
+    let laws = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=EXPONENTIAL\n0.01, 5.\n*FRICTION\n0.4\n";
+    for (bend, angle) in [(-0.02, 0.0), (-0.15, 0.3), (-0.3, -2.0)] {
+        let whole = Cut { is_roof: true, bend, angle, laws, ..WHOLE };
+        let half = Cut { across: [true, false], ..whole };
+        let (last, expected) = (whole.left(), 2.0 * half.force(&half.left()));
+        let own = whole.force(&last);
+        assert!((own - expected).abs() < 1e-3 * expected.abs(), "{bend}: {own} {expected}");
+        assert!(last.worst < 1e-10, "{}", last.worst);
+    }
+}
+
+/// The same on a rigid roof in place of the lower body.
+fn on_a_rigid_roof(whole: &Cut) -> String {
+    let deck = whole.deck("");
+    let [from, to] =
+        ["B0", "B1"].map(|body| deck.find(&format!("*ELEMENT, TYPE=CPS4, ELSET={body}")).unwrap());
+    let (s, c) = whole.angle.sin_cos();
+    let [left, right] = [-2.0, 2.0].map(|x: f64| {
+        let z = 0.5 * whole.bend * x.abs();
+        format!("{:?}, {:?}", c * x - s * z, s * x + c * z)
+    });
+    let roof = format!(
+        "*SURFACE, TYPE=SEGMENTS, NAME=F0\nSTART, {left}\nLINE, 0., 0.\nLINE, {right}\n\
+         *NODE\n9000, 0., -1.\n*RIGID BODY, ANALYTICAL SURFACE=F0, REF NODE=9000\n"
+    );
+    [&deck[..from], &roof, &deck[to..].replace("END0, 1, 3", "9000, 1, 6")].concat()
+}
+
+/// Requirement: a node upon the corner of an analytical surface keeps its side too.
+#[test]
+fn a_node_on_a_rigid_corner_keeps_its_side() {
+    let laws = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=EXPONENTIAL\n0.01, 5.\n*FRICTION\n0.4\n";
+    for (bend, angle) in [(-0.02, 0.0), (-0.15, 0.3), (-0.3, -2.0)] {
+        let whole = Cut { is_roof: true, bend, angle, laws, ..WHOLE };
+        let last = solved(&on_a_rigid_roof(&whole));
+        assert!(whole.force(&last) > 0.0 && last.worst < 1e-10, "{bend}: {}", last.worst);
     }
 }
 

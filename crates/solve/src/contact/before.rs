@@ -3,14 +3,14 @@
 use crate::state::{PointState, State};
 
 /// Displacements and contact points of the last commit, empty where there is none, and the faces
-/// that hold points since.
+/// and segments that hold points since.
 #[derive(Clone, Copy, Debug)]
 pub struct Before<'a> {
     /// Displacements, a dof each [L or 1].
     pub u: &'a [f64],
     /// Contact points.
     pub points: &'a [PointState],
-    /// Face of its master on which every point stood in the last iteration; empty: as at the commit.
+    /// Face, or segment of the line, of its master on which every point stood in the last iteration; empty: as at the commit.
     pub faces: &'a [Option<usize>],
 }
 
@@ -28,9 +28,9 @@ impl<'a> Before<'a> {
         Self { faces, ..self }
     }
 
-    /// The face that holds a point: of the last iteration, or else of the last commit.
+    /// The face or segment that holds a point: of the last iteration, or else of the last commit.
     pub fn face(&self, place: usize) -> Option<usize> {
-        let committed = || Some(self.points.get(place)?.footing.as_ref()?.place.face);
+        let committed = || self.points.get(place)?.stands_on();
         self.faces.get(place).copied().flatten().or_else(committed)
     }
 }

@@ -11,6 +11,7 @@
 //! touches beyond them makes it anew, with what it couples as it was met: what
 //! touches decides, so that candidates change no result.
 
+use super::facing::Standing;
 use super::master::MasterSurface;
 use super::mortar::place::MortarRoom;
 use super::mortar_faces::place::FaceRoom;
@@ -179,7 +180,8 @@ impl Contact {
         let own = positions.nodes.get(*offset..offset + nodes.len())?;
         let known = self.outlook(point, u);
         let outlook = Outlook::of(&known);
-        let piece = master.piece((positions, point.pair), (at, point.seat, outlook))?;
+        let piece =
+            master.piece((positions, point.pair), (Standing::anew(at), point.seat, outlook))?;
         let part = piece.nodes();
         let distance =
             own[part.clone()].iter().map(|&node| distance(at, node)).fold(f64::MAX, f64::min);

@@ -9,6 +9,7 @@
 //!
 //! docs/theory.md section 5.20
 
+use super::facing::Standing;
 use super::master::MasterSurface;
 use super::near_line::NearLine;
 use super::pairs::{Carrier, Contact, SlavePoint};
@@ -161,7 +162,8 @@ impl Contact {
             return Some(MissedAt { falls_away: beyond(falls_away, round), smoothed_away: 0.0 });
         };
         let stand = positions.nodes.get(*offset..offset + nodes.len())?;
-        let piece = master.piece((positions, point.pair), (own, 0, &Outlook::EVERYWHERE))?;
+        let piece = master
+            .piece((positions, point.pair), (Standing::anew(own), 0, &Outlook::EVERYWHERE))?;
         let [depth, _] = chain_overclosure(chain, &piece, stand, own)?;
         let long = self.faces_about(place, u).map(|face| face.long()).fold(0.0, f64::max);
         let line = NearLine::about(master, (&piece, stand), 2.0 * long + depth.abs())?;

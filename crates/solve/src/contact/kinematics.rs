@@ -155,9 +155,16 @@ impl PointKinematics {
 }
 
 impl PointKinematics {
-    /// The face of its master on which it stands; `None` where it faces nothing, or no faces.
-    pub fn face(&self) -> Option<usize> {
-        self.footing.filter(|_| self.faces).map(|footing| footing.place.face)
+    /// The face of its master, or the segment of a line of nodes or a rigid surface, on which it stands; `None` where it
+    /// faces none of them.
+    pub fn stands_on(&self) -> Option<usize> {
+        let face = self.footing.filter(|_| self.faces).map(|footing| footing.place.face);
+        face.or_else(|| self.segment())
+    }
+
+    /// The segment of a line of master nodes or of a rigid surface on which it stands.
+    pub fn segment(&self) -> Option<usize> {
+        self.facing.filter(|_| self.faces)?.segment()
     }
 
     /// Takes off what is allowed of an overclosure that was just found [L].

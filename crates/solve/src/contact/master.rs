@@ -2,7 +2,7 @@
 
 use super::beyond::Beyond;
 use super::chains::{continued, listed_nodes, own_parts};
-use super::facing::Facing;
+use super::facing::{Facing, Standing};
 use super::mirrors::mirrors;
 use super::positions::MasterPositions;
 use super::profiles::{placed, swept_profile};
@@ -241,12 +241,12 @@ impl MasterSurface {
         &self,
         u: &[f64],
         (positions, pair): (&MasterPositions, usize),
-        (point, seat, outlook): ([f64; 3], usize, &Outlook),
+        (point, seat, outlook): (Standing, usize, &Outlook),
     ) -> Option<Facing> {
         match self {
             Self::Nothing | Self::Faces { .. } => None,
             Self::Body { surface, .. } => {
-                let at = (point, outlook);
+                let at = (point.at, point.on, outlook);
                 surface.closest_to_node(&self.placed_body(u), at).map(Facing::Surface)
             }
             Self::Line { .. } => {
@@ -259,14 +259,14 @@ impl MasterSurface {
     pub(super) fn piece(
         &self,
         (positions, pair): (&MasterPositions, usize),
-        (point, seat, outlook): ([f64; 3], usize, &Outlook),
+        (point, seat, outlook): (Standing, usize, &Outlook),
     ) -> Option<Piece> {
         let Self::Line { chain, nodes, offset, itself, .. } = self else { return None };
         let range = *offset..offset + nodes.len();
         match itself {
             None => {
                 let (own, nearby) = positions.chain(pair, range)?;
-                let found = sharp::closest(chain, own, nearby, (point, outlook))?;
+                let found = sharp::closest(chain, own, nearby, (point.at, point.on, outlook))?;
                 Some(chain.met_piece(found))
             }
             Some(itself) => itself.closest(placed_itself((chain, range), (positions, pair))?, seat),

@@ -1,6 +1,6 @@
 //! What a slave point faces, and the dofs that both depend on.
 
-use super::facing::Facing;
+use super::facing::{Facing, Standing};
 use super::master::MasterSurface;
 use super::pairs::{Carrier, Contact, SlavePoint};
 use super::positions::MasterPositions;
@@ -49,16 +49,16 @@ impl Contact {
         }
     }
 
-    /// What a point at `position` faces.
+    /// What a point faces from where it stands.
     #[inline]
     pub(super) fn faced(
         &self,
         point: &SlavePoint,
-        position: [f64; 3],
+        standing: Standing,
         (u, positions): (&[f64], &MasterPositions),
     ) -> Option<Facing> {
         let known = self.outlook(point, u);
-        let at = (position, point.seat, Outlook::of(&known));
+        let at = (standing, point.seat, Outlook::of(&known));
         let facing = self.masters[point.pair].search(u, (positions, point.pair), at)?;
         (!self.leaves_out_faced(point, &facing)).then_some(facing)
     }
@@ -73,7 +73,7 @@ impl Contact {
         stencil: &mut Stencil<'_>,
     ) -> Option<(AnyGap<Linear>, Facing)> {
         let slave = self.attachment(point, xi);
-        let facing = self.faced(point, stencil.position, (u, positions))?;
+        let facing = self.faced(point, Standing::anew(stencil.position), (u, positions))?;
         let at = (u, &positions.nodes[..]);
         let gap = self.masters[point.pair].gap(&facing, slave, at, stencil)?;
         Some((gap, facing))

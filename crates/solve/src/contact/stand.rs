@@ -1,6 +1,7 @@
 //! Where slave points stand against their masters in one configuration.
 
 use super::before::Before;
+use super::facing::Standing;
 use super::kinematics::{ContactKinematics, PointKinematics, PointRowsMut};
 use super::master::MasterSurface;
 use super::pairs::{Carrier, Contact, SlavePoint};
@@ -162,7 +163,7 @@ impl Contact {
         }
         let mut into = into.at_mut(place);
         let mut stencil = self.slave(point, into.point.xi, u);
-        self.locate_stencil(point, &mut stencil, (u, positions), &mut into);
+        self.locate_stencil((point, before.face(place)), &mut stencil, (u, positions), &mut into);
         if into.point.faces {
             let allowed = match &point.carrier {
                 Carrier::Node { .. } => self.allowed_of_node(place, before),
@@ -180,7 +181,7 @@ impl Contact {
 
     fn locate_stencil(
         &self,
-        point: &SlavePoint,
+        (point, on): (&SlavePoint, Option<usize>),
         stencil: &mut Stencil<'_>,
         (u, positions): (&[f64], &MasterPositions),
         into: &mut PointRowsMut<'_>,
@@ -188,7 +189,8 @@ impl Contact {
         into.point.position = stencil.position;
         let slave = self.attachment(point, into.point.xi);
         let master = &self.masters[point.pair];
-        let Some(facing) = self.faced(point, stencil.position, (u, positions)) else {
+        let standing = Standing { at: stencil.position, on };
+        let Some(facing) = self.faced(point, standing, (u, positions)) else {
             return into.turn_away_in_place();
         };
         match master.gap(&facing, slave, (u, &positions.nodes), stencil) {
@@ -230,7 +232,7 @@ impl Contact {
             let mut into = into.at_mut(place);
             (into.point.xi, into.point.area) = (xi, area);
             let (point, mut stencil) = (&self.points[place], segment.stencil(&ends, xi));
-            self.locate_stencil(point, &mut stencil, (u, &none), &mut into);
+            self.locate_stencil((point, None), &mut stencil, (u, &none), &mut into);
             if into.point.faces {
                 into.point.allow(self.allowed_along(segment, xi));
             }

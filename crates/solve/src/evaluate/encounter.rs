@@ -97,6 +97,7 @@ impl Encounter<'_> {
             area: kinematics.area,
             xi: kinematics.xi,
             footing: kinematics.footing,
+            segment: kinematics.segment(),
         };
         if friction == FrictionCall::Dropped {
             let limit = self.laws.friction.limit_traction(response.pressure, slip, self.dt);

@@ -53,7 +53,7 @@ impl Scratch {
             self.pressures[place] = point.pressure;
             self.tractions[place] = point.traction;
             self.pressed[place] = point.closed.then_some(point.area * point.pressure);
-            self.standing[place] = point.footing.map(|footing| footing.place.face);
+            self.standing[place] = point.stands_on();
         }
         self.hold_multipliers(plan);
         if committed.increment_time.0 == 0.0 {

@@ -148,7 +148,7 @@ impl Scratch {
     fn stand(&mut self) {
         let points = self.evaluation.kinematics.points();
         for (standing, point) in self.standing.iter_mut().zip(points) {
-            *standing = point.face();
+            *standing = point.stands_on();
         }
     }
 

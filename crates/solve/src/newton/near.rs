@@ -167,8 +167,7 @@ impl Scratch {
         self.take_estimates(now);
         self.evaluation.look.forget();
         self.standing.clear();
-        let face = |point: &PointState| point.footing.map(|footing| footing.place.face);
-        self.standing.extend(now.points.iter().map(face));
+        self.standing.extend(now.points.iter().map(PointState::stands_on));
         self.evaluate_there(plan, committed, target);
     }
 

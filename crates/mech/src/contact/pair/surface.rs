@@ -22,13 +22,16 @@ pub struct RigidSurface {
     period: Option<f64>,
     bounds: ([f64; 2], f64),
     noses: Vec<Nose>,
+    /// Mean length of the faces of its slave [L].
+    slave: f64,
 }
 
 impl RigidSurface {
     /// The surface of the segments in order of travel.
     pub fn new(segments: Vec<RigidSegment>) -> Self {
         let (starts, noses) = (Vec::with_capacity(segments.len()), Vec::new());
-        let mut new = Self { segments, starts, period: None, bounds: ([0.0; 2], 0.0), noses };
+        let (bounds, slave) = (([0.0; 2], 0.0), f64::INFINITY);
+        let mut new = Self { segments, starts, period: None, bounds, noses, slave };
         new.measure();
         new
     }
@@ -46,9 +49,11 @@ impl RigidSurface {
         whole
     }
 
-    /// Prolongs open ends by `extension` of the segments there, or of `slave` [L] where that is shorter,
-    /// straight and then by rounded noses, which are none that may pass between points.
+    /// It is met by a slave whose faces are so long [L]: open ends are prolonged by `extension` of the segments there,
+    /// or of such a face where that is shorter, straight and then by rounded noses, which are none that may pass
+    /// between points.
     pub fn prolong(&mut self, extension: f64, slave: f64) {
+        self.slave = slave;
         if extension > 0.0 && self.period.is_none() {
             rigid::prolong(&mut self.segments, |end| extension * end.length().min(slave));
             let noses = std::mem::take(&mut self.noses);
@@ -117,11 +122,11 @@ impl RigidSurface {
     pub fn closest_to_node(
         &self,
         body: &Body,
-        (point, outlook): ([f64; 3], &Outlook),
+        (point, before, outlook): ([f64; 3], Option<usize>, &Outlook),
     ) -> Option<Facing> {
         let outlook = outlook.turned(|normal| body.turn_back(normal));
-        let at = (body.in_frame(point), &outlook);
-        sharp_rigid::closest(&self.segments, self.period.is_some(), at)
+        let at = (body.in_frame(point), before, &outlook);
+        sharp_rigid::closest((&self.segments, self.slave), self.period.is_some(), at)
     }
 
     /// Where the straight path between two places in the frame of the body crosses the surface, with

@@ -151,7 +151,7 @@ fn gaps_to_noses_are_distances_from_their_parabolas() {
     // a way of 0.05 prolongs the top; the nose goes on by 0.05 and down by 0.05
     for (edge, out, ahead) in [(2.0, 1.0, true), (0.0, -1.0, false)] {
         let point = [edge + out * 0.08, 0.03, 0.0];
-        let at = (point, &outlook);
+        let at = (point, None, &outlook);
         let piece = sharp::closest(&chain, &block, Nearby::Positions, at).unwrap();
         assert_eq!(piece.kind, PieceKind::Nose { ahead });
         let [over, along] = super::chain::chain_overclosure(&chain, &piece, &block, point).unwrap();

@@ -43,10 +43,10 @@ const WAY: usize = 16;
 /// Part of a face by which a point may stand beyond its edge and still belong to it: where it stood
 /// there at the last commit, so that no iteration goes to and fro between two faces, or where both
 /// faces refuse it [1].
-const SEAM: f64 = 0.05;
+pub(super) const SEAM: f64 = 0.05;
 /// How far a point beyond an edge at which the normal leaps may stand from the other face, over the mean length of
 /// slave faces [1]: where that turns away, from where a node is pushed farther to its side.
-const RIDGE: f64 = 0.005;
+pub(super) const RIDGE: f64 = 0.005;
 /// The same in a valley, where each face pushes the point to the other one.
 const VALLEY: f64 = 0.02;
 /// Newton iterations of a projection.

@@ -19,6 +19,7 @@ pub mod outlook;
 pub mod own_faces;
 pub mod pass;
 
+mod ridge;
 pub mod rigid;
 pub mod segment;
 pub mod sharp;

@@ -18,14 +18,16 @@ use crate::vector::Vector;
 const SHARP: f64 = 50.0 * std::f64::consts::PI / 180.0;
 
 /// The piece of a chain at these positions that a slave node at `point` faces: the nearest one
-/// ([`Chain::closest`]), or, about a sharp edge, the one on that side of it which looks at the node.
+/// ([`Chain::closest`]), or at a ridge the segment `before`, on which it stood, or, about a sharp edge, the one on that side of it which looks at the node.
 pub fn closest(
     chain: &Chain,
     positions: &[[f64; 3]],
     nearby: Nearby<'_>,
-    (point, outlook): ([f64; 3], &Outlook),
+    (point, before, outlook): ([f64; 3], Option<usize>, &Outlook),
 ) -> Option<Piece> {
     let found = chain.closest(positions, nearby, point)?;
+    let kept = before.and_then(|part| chain.kept(positions, flat(point), (&found, part)));
+    let found = kept.unwrap_or(found);
     if outlook.is_everywhere() {
         return Some(found);
     }
@@ -208,7 +210,7 @@ mod tests {
         let mut outlook = Outlook::EVERYWHERE;
         normals.iter().for_each(|&normal| outlook.add(normal, 1.0));
         let point = [at[0], at[1], 0.0];
-        let found = closest(&chain, &BLOCK, Nearby::Positions, (point, &outlook))?;
+        let found = closest(&chain, &BLOCK, Nearby::Positions, (point, None, &outlook))?;
         Some((found.index, found.kind))
     }
 

@@ -9,18 +9,23 @@
 //! docs/theory.md section 5.14. (derived)
 
 use super::outlook::{BEYOND, Outlook, SUNK};
+use super::ridge::Profile;
 use super::rigid::{self, Facing, Part, RigidSegment};
 use super::sharp::turns_away;
 use super::{Point, cross, dot, project_line, sub};
 
 /// The part that a slave node at `point` with that outlook (frame of the body) faces: the nearest
-/// one ([`rigid::closest`]), or, about a sharp corner, the one beside it that looks at the node.
+/// one ([`rigid::closest`]), or at a corner the segment `before`, on which it stood, or, about a sharp corner,
+/// the one beside it that looks at the node. Faces of the `slave` are so long [L].
 pub fn closest(
-    segments: &[RigidSegment],
+    (segments, slave): (&[RigidSegment], f64),
     closed: bool,
-    (point, outlook): (Point, &Outlook),
+    (point, before, outlook): (Point, Option<usize>, &Outlook),
 ) -> Option<Facing> {
     let found = rigid::closest_on(segments, closed, point)?;
+    let profile = Profile { segments, closed, slave };
+    let kept = before.and_then(|segment| profile.kept(point, (&found, segment)));
+    let found = kept.unwrap_or(found);
     if outlook.is_everywhere() {
         return Some(found);
     }
