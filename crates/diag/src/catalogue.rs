@@ -244,6 +244,7 @@ catalogue! {
     "SL0620" "an edge of the master in a face of the slave"
     "SL0621" "slave faces too wide for what they meet"
     "SL0622" "corners of the master are smoothed away"
+    "SL0623" "a *DISTRIBUTING coupling that has turned far"
     "SL0701" "the deck cannot be read"
     "SL0702" "results cannot be written"
     "SL0703" "the deck includes a file that is a result of the same job"

@@ -15,6 +15,7 @@ mod shown;
 mod sliding_off;
 mod steps;
 mod telling;
+mod turned_means;
 
 use crate::checkpoint::Checkpoint;
 use crate::observe::reports::Totals;

@@ -10,7 +10,7 @@
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::vector::{cross, dot};
-use slideline_model::{Dof, NodeIndex};
+use slideline_model::{Dof, MeanMotion, NodeIndex};
 
 use super::equations::{add, solve};
 use crate::draft::Draft;
@@ -40,7 +40,9 @@ pub(super) fn distribute(
         false => dofs[*dof as usize],
     };
     let wanted: Vec<Dof> = directions.iter().copied().filter(follows).collect();
-    let Some(rows) = rows((reference, mean), &wanted, cloud, draft) else {
+    let about = Cloud::new(cloud, mean, draft);
+    let Some((about, rows)) = about.map(|own| (own, own.rows(reference, &wanted, cloud, draft)))
+    else {
         let message = "the nodes of *DISTRIBUTING do not define a rotation: they are too few or \
                        lie on one line";
         let error = Diagnostic::error(Code("SL0347"), message).at(origin);
@@ -60,6 +62,10 @@ pub(super) fn distribute(
         draft.consequence(Subject::Links, error.help("leave some nodes of its surface free"));
         return;
     };
+    if mean == Mean::Motion {
+        let turns = cloud.iter().map(|&own| (own.0, about.turns(own, draft))).collect();
+        draft.model.mean_motions.push(MeanMotion { reference, turns, origin });
+    }
     let pivots: Vec<usize> = solved.iter().map(|(pivot, _)| *pivot).collect();
     for (pivot, row) in solved {
         let others = row.iter().enumerate().filter(|(c, a)| !pivots.contains(c) && **a != 0.0);
@@ -68,45 +74,82 @@ pub(super) fn distribute(
     }
 }
 
-/// One equation for each dof of the reference node: its own dof with factor -1 first, then the
-/// displacements of the cloud. `None` where the cloud has no rotation.
-fn rows(
-    (reference, mean): (NodeIndex, Mean),
-    wanted: &[Dof],
-    cloud: &[(NodeIndex, f64)],
-    draft: &Draft,
-) -> Option<Vec<Vec<f64>>> {
-    let at = |node: NodeIndex| draft.model.nodes.get(node).position;
-    let total: f64 = cloud.iter().map(|(_, weight)| weight).sum();
-    let axes = draft.model.directions().iter().filter(|dof| !dof.is_rotation()).count();
-    let centre: [f64; 3] = std::array::from_fn(|k| {
-        cloud.iter().map(|&(node, weight)| weight * at(node)[k]).sum::<f64>() / total
-    });
-    let arm = |node: NodeIndex| -> [f64; 3] { std::array::from_fn(|k| at(node)[k] - centre[k]) };
-    let inverse = match mean {
-        Mean::Motion => inertia(cloud.iter().map(|&(node, w)| (arm(node), w)), axes)?,
-        Mean::Displacement => [[0.0; 3]; 3],
-    };
-    let lever = arm(reference);
-    let mut rows = Vec::with_capacity(wanted.len());
-    for (place, &dof) in wanted.iter().enumerate() {
-        let mut row = vec![0.0; wanted.len()];
-        row[place] = -1.0;
-        let seen = draft.direction(reference, dof);
-        for &(node, weight) in cloud {
-            for &axis in &Dof::ALL[..axes] {
-                // rotation of the cloud by a unit displacement of this node along the axis
-                let moved = draft.direction(node, axis).map(|part| weight * part);
-                let turn = times(&inverse, cross(arm(node), moved));
-                row.push(match dof.is_rotation() {
-                    true => dot(seen, turn),
-                    false => dot(seen, moved) / total + dot(seen, cross(turn, lever)),
-                });
-            }
+/// A cloud of nodes about its centre.
+#[derive(Clone, Copy)]
+struct Cloud {
+    centre: [f64; 3],
+    /// Sum of the weights.
+    total: f64,
+    /// The inverse of its inertia; zero where the mean does not turn.
+    inverse: [[f64; 3]; 3],
+}
+
+impl Cloud {
+    /// `None` where the cloud has no rotation.
+    fn new(cloud: &[(NodeIndex, f64)], mean: Mean, draft: &Draft) -> Option<Self> {
+        let at = |node: NodeIndex| draft.model.nodes.get(node).position;
+        let total: f64 = cloud.iter().map(|(_, weight)| weight).sum();
+        let centre: [f64; 3] = std::array::from_fn(|k| {
+            cloud.iter().map(|&(node, weight)| weight * at(node)[k]).sum::<f64>() / total
+        });
+        let mut own = Self { centre, total, inverse: [[0.0; 3]; 3] };
+        if mean == Mean::Motion {
+            let arms = cloud.iter().map(|&(node, weight)| (own.arm(node, draft), weight));
+            own.inverse = inertia(arms, axes(draft))?;
         }
-        rows.push(row);
+        Some(own)
     }
-    Some(rows)
+
+    fn arm(&self, node: NodeIndex, draft: &Draft) -> [f64; 3] {
+        let at = draft.model.nodes.get(node).position;
+        std::array::from_fn(|k| at[k] - self.centre[k])
+    }
+
+    /// Rotation of the cloud by the displacement of a node along the axes of the model, a row a direction of it [1/L].
+    fn turns(&self, (node, weight): (NodeIndex, f64), draft: &Draft) -> [[f64; 3]; 3] {
+        let arm = self.arm(node, draft);
+        let by = [0, 1, 2].map(|axis| {
+            let mut moved = [0.0; 3];
+            moved[axis] = weight;
+            times(&self.inverse, cross(arm, moved))
+        });
+        std::array::from_fn(|row| [0, 1, 2].map(|axis| by[axis][row]))
+    }
+
+    /// One equation for each dof of the reference node: its own dof with factor -1 first, then the
+    /// displacements of the cloud.
+    fn rows(
+        &self,
+        reference: NodeIndex,
+        wanted: &[Dof],
+        cloud: &[(NodeIndex, f64)],
+        draft: &Draft,
+    ) -> Vec<Vec<f64>> {
+        let lever = self.arm(reference, draft);
+        let row = |(place, &dof): (usize, &Dof)| {
+            let mut row = vec![0.0; wanted.len()];
+            row[place] = -1.0;
+            let seen = draft.direction(reference, dof);
+            for &(node, weight) in cloud {
+                for &axis in &Dof::ALL[..axes(draft)] {
+                    // rotation of the cloud by a unit displacement of this node along the axis
+                    let moved = draft.direction(node, axis).map(|part| weight * part);
+                    let turn = times(&self.inverse, cross(self.arm(node, draft), moved));
+                    row.push(match dof.is_rotation() {
+                        true => dot(seen, turn),
+                        false => dot(seen, moved) / self.total + dot(seen, cross(turn, lever)),
+                    });
+                }
+            }
+            row
+        };
+        wanted.iter().enumerate().map(row).collect()
+    }
+}
+
+/// Directions in which nodes move.
+fn axes(draft: &Draft) -> usize {
+    draft.model.directions().iter().filter(|dof| !dof.is_rotation()).count()
 }
 
 /// The inverse of sum w (r.r 1 - r r'); in the plane of its last entry alone.

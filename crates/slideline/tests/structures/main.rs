@@ -33,4 +33,5 @@ mod stabilisation;
 mod temperatures;
 mod tractions;
 mod transform;
+mod turned_means;
 mod wide_ties;

@@ -63,6 +63,8 @@ pub struct Analysis<'a> {
     pub(super) room_is_judged: bool,
     /// Whether it was said that an edge of a master stands in a face of the slave.
     pub(super) edges_are_judged: bool,
+    /// Clouds of nodes of which it was said that they have turned far.
+    pub(super) turned_means: Vec<usize>,
     /// Nodes that slid off the ends of their masters, pair by pair.
     pub(super) slid_off: Vec<SlidOff>,
     pub(super) rows: &'a mut Rows,
@@ -115,6 +117,7 @@ impl<'a> Analysis<'a> {
             tangent_is_wrong: false,
             room_is_judged: false,
             edges_are_judged: false,
+            turned_means: Vec::new(),
             slid_off: Vec::new(),
             rows,
             varied: None,
