@@ -157,6 +157,17 @@ impl Pattern {
         }
         self.row(i).binary_search(&j).ok().map(|at| self.rows.start[i] + at)
     }
+
+    /// The same where the entry may be the one at `next`, as columns of a node follow one another; then `next` is
+    /// the one behind it.
+    pub fn position_at(&self, (i, j): (usize, usize), next: &mut usize) -> Option<usize> {
+        let is_next = i < self.size()
+            && (self.rows.start[i]..self.rows.start[i + 1]).contains(next)
+            && self.rows.column[*next] == j;
+        let found = if is_next { Some(*next) } else { self.position(i, j) };
+        *next = found.map_or(*next, |at| at + 1);
+        found
+    }
 }
 
 /// Sets of equations that couple, and the sets that each equation is in.
@@ -300,6 +311,21 @@ mod tests {
             });
             let from_pairs = Pattern::from_pairs(n, pairs);
             prop_assert_eq!(Pattern::from_cliques(n, cliques.iter()), from_pairs);
+        }
+
+        // Requirement: whatever entry is expected next, the same one is found.
+        #[test]
+        fn what_is_expected_changes_nothing(
+            n in 1usize..12,
+            cliques in prop::collection::vec(prop::collection::vec(0usize..12, 0..7), 0..9),
+            asked in prop::collection::vec((0usize..13, 0usize..13), 0..40),
+            first in 0usize..200,
+        ) {
+            let pattern = Pattern::from_cliques(n, cliques.iter());
+            let mut next = first;
+            for (i, j) in asked {
+                prop_assert_eq!(pattern.position_at((i, j), &mut next), pattern.position(i, j));
+            }
         }
     }
 }

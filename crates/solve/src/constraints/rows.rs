@@ -108,9 +108,10 @@ impl ConstraintNumbering {
     ) {
         for (i, &row_dof) in dofs.iter().enumerate() {
             self.for_each_equation(rows, row_dof, &mut |row, a| {
+                let mut next = usize::MAX;
                 for (j, &column_dof) in dofs.iter().enumerate() {
                     self.for_each_equation(rows, column_dof, &mut |column, b| {
-                        if let Some(at) = pattern.position(row, column) {
+                        if let Some(at) = pattern.position_at((row, column), &mut next) {
                             values[at] += a * b * tangent(i, j);
                         }
                     });
