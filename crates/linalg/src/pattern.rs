@@ -158,13 +158,13 @@ impl Pattern {
         self.row(i).binary_search(&j).ok().map(|at| self.rows.start[i] + at)
     }
 
-    /// The same where the entry may be the one at `next`, as columns of a node follow one another; then `next` is
-    /// the one behind it.
+    /// The same where the entry may be the one at `next`, as columns of a node follow one another, or one of the
+    /// three before it, as those of a node with axes of its own come again; then `next` is the one behind it.
     pub fn position_at(&self, (i, j): (usize, usize), next: &mut usize) -> Option<usize> {
-        let is_next = i < self.size()
-            && (self.rows.start[i]..self.rows.start[i + 1]).contains(next)
-            && self.rows.column[*next] == j;
-        let found = if is_next { Some(*next) } else { self.position(i, j) };
+        let row = (i < self.size()).then(|| self.rows.start[i]..self.rows.start[i + 1])?;
+        let near = [0, 3, 2, 1].map(|back| next.wrapping_sub(back));
+        let is_there = |at: &usize| row.contains(at) && self.rows.column[*at] == j;
+        let found = near.into_iter().find(is_there).or_else(|| self.position(i, j));
         *next = found.map_or(*next, |at| at + 1);
         found
     }
