@@ -1,5 +1,8 @@
 //! Numbers as text.
 
+mod fixed;
+
+pub use fixed::{push_exponent, push_whole};
 use std::fmt::{self, Write as _};
 use std::io::Write as _;
 
@@ -256,65 +259,9 @@ pub fn push_scientific(text: &mut String, value: f64, digits: usize) {
     let _ = write!(text, "{value:.digits$e}"); // a String takes any text
 }
 
-/// Appends a number in `digits` + 7 places as Fortran and C write it, `-1.23457E-03`. A power of
-/// three digits takes one more place than others, for which there is a digit less.
-pub fn push_exponent(text: &mut String, value: f64, digits: usize) {
-    let begin = text.len();
-    match value.is_finite() {
-        true => push_power(text, value, digits),
-        false => {
-            let _ = write!(text, "{value}"); // as above: NaN, inf, -inf
-        }
-    }
-    push_padded(text, begin, digits + 7);
-}
-
-fn push_power(text: &mut String, value: f64, digits: usize) {
-    let begin = text.len();
-    push_scientific(text, value, digits);
-    let Some(at) = text[begin..].find('e').map(|at| begin + at) else { return };
-    let power: i32 = text[at + 1..].parse().unwrap_or_default();
-    if power.abs() > 99 {
-        text.truncate(begin);
-        push_scientific(text, value, digits.saturating_sub(1));
-    }
-    let Some(at) = text[begin..].find('e').map(|at| begin + at) else { return };
-    // rounding to a digit less may count the power up
-    let power: i32 = text[at + 1..].parse().unwrap_or(power);
-    text.truncate(at);
-    let sign = if power < 0 { '-' } else { '+' };
-    let _ = write!(text, "E{sign}{:02}", power.abs()); // a String takes any text
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// Requirement: as many places whatever the value, and the value is read back from them, to
-    /// half of the last digit. Source: E12.5 of Fortran.
-    #[test]
-    fn numbers_in_fixed_places() {
-        let shown = |value: f64| {
-            let mut text = String::new();
-            push_exponent(&mut text, value, 5);
-            assert_eq!(text.len(), 12, "{text}");
-            text
-        };
-        assert_eq!(shown(-1.234_567e-3), "-1.23457E-03");
-        assert_eq!(shown(0.0), " 0.00000E+00");
-        assert_eq!(shown(2.5e10), " 2.50000E+10");
-        assert_eq!(shown(-3.0e-200), "-3.0000E-200");
-        assert_eq!(shown(9.999_999e99), "1.0000E+100".to_owned().replace("1.", " 1."));
-        assert_eq!((shown(f64::NAN).trim(), shown(-f64::INFINITY).trim()), ("NaN", "-inf"));
-        let mut value = 1.234_567e-300_f64;
-        while value < 1e300 {
-            for own in [value, -value] {
-                let back: f64 = shown(own).trim().parse().unwrap();
-                assert!((back / own - 1.0).abs() <= 5.1e-5, "{own} {back}");
-            }
-            value *= 7.3;
-        }
-    }
 
     #[test]
     fn the_shorter_of_plain_and_exponent() {
