@@ -163,6 +163,12 @@ impl Decimal {
         }
     }
 
+    /// Plain or with an exponent.
+    fn shortest_text(&self) -> Numeral {
+        let is_plain = self.plain_length() <= self.scientific_length();
+        if is_plain { self.plain() } else { self.scientific() }
+    }
+
     fn plain(&self) -> Numeral {
         let mut text = Numeral::of(if self.negative { "-" } else { "" });
         let digits = &self.digits[..self.count];
@@ -216,9 +222,20 @@ pub fn shortest(value: f64) -> Numeral {
     if !value.is_finite() {
         return no_number(value);
     }
-    let decimal = Decimal::shortest(value);
-    let is_plain = decimal.plain_length() <= decimal.scientific_length();
-    if is_plain { decimal.plain() } else { decimal.scientific() }
+    let mut buffer = zmij::Buffer::new();
+    let text = buffer.format_finite(value);
+    match as_it_is(value, text) {
+        true => Numeral::of(text.strip_suffix(".0").unwrap_or(text)),
+        false => Decimal::read(text.as_bytes()).shortest_text(),
+    }
+}
+
+/// Whether a plain text of all digits is the shortest one: none stands behind zeros, and whole
+/// numbers have few.
+fn as_it_is(value: f64, text: &str) -> bool {
+    let size = value.abs();
+    let is_short = size < 1e3 || !text.ends_with(".0");
+    size >= 0.01 && is_short && !text.contains('e')
 }
 
 /// Appends the shortest text that reads back to the same double.
@@ -298,12 +315,15 @@ mod tests {
             state ^= state << 13;
             state ^= state >> 7;
             state ^= state << 17;
-            for value in [f64::from_bits(state), f64::from((state >> 40) as u32) / 64.0] {
+            let small = f64::from((state >> 40) as u32) / 64.0;
+            let few = (state % 2000) as f64 / 10_f64.powi((state >> 60) as i32 - 6);
+            for value in [f64::from_bits(state), small, few, small * 1.1e-5] {
                 if value.is_finite() {
                     let text = shortest(value);
                     assert_eq!(text.parse::<f64>().unwrap().to_bits(), value.to_bits(), "{text}");
                     assert!(text.len() <= format!("{value:e}").len(), "{text}");
                     assert!(text.len() <= format!("{value}").len(), "{text}");
+                    assert_eq!(text, Decimal::shortest(value).shortest_text(), "{value:e}");
                 }
             }
         }
