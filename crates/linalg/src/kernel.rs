@@ -51,26 +51,6 @@ pub(crate) fn subtract_columns<T: Real, const M: usize>(
     }
 }
 
-/// The same for whole blocks.
-#[inline(always)]
-pub(crate) fn subtract_blocks<const M: usize>(
-    target: &mut [f64],
-    columns: [&[f64]; M],
-    factors: [f64; M],
-) {
-    let target = target.as_chunks_mut::<BLOCK>().0;
-    let columns = columns.map(|column| &column.as_chunks::<BLOCK>().0[..target.len()]);
-    for (b, target) in target.iter_mut().enumerate() {
-        let mut entries = *target;
-        for (column, factor) in columns.iter().zip(factors) {
-            for k in 0..BLOCK {
-                entries[k] -= factor * column[b][k];
-            }
-        }
-        *target = entries;
-    }
-}
-
 /// Scalar products of several columns with the same array, in interleaved parts like [`dot`].
 #[inline(always)]
 pub(crate) fn dot_columns<T: Real, const M: usize>(columns: [&[T]; M], x: &[T]) -> [T; M] {
