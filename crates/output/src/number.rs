@@ -1,8 +1,5 @@
 //! Numbers as text.
 
-mod fixed;
-
-pub use fixed::{push_exponent, push_whole};
 use std::fmt::{self, Write as _};
 use std::io::Write as _;
 

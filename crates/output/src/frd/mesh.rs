@@ -3,7 +3,7 @@
 use super::results::push_node;
 use crate::date;
 use crate::facts::Formats;
-use crate::number::push_whole;
+use crate::fixed::push_whole;
 use crate::outline::{Drawing, Owner, Piece};
 use slideline_model::Model;
 use std::collections::HashSet;

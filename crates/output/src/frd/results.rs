@@ -1,6 +1,6 @@
 //! The results of an increment, a block for each quantity.
 
-use crate::number::{push_exponent, push_whole};
+use crate::fixed::{push_exponent, push_whole};
 use crate::outline::{Drawing, SPACE};
 use crate::section::nodal_sections;
 use slideline_model::{Dialect, Dof, ElementVariable, NodeIndex};

@@ -5,9 +5,9 @@
 //! ```
 //!
 //! The digits are those of a whole number: the value times a power of ten. Where rounding of that
-//! product could decide the last of them, the exact way of the standard library is gone.
+//! product could decide the last of them, the standard library writes them.
 
-use super::{push_padded, push_scientific};
+use crate::number::{push_padded, push_scientific};
 use std::fmt::Write as _;
 
 /// Powers of ten that a double holds exactly.
