@@ -154,9 +154,13 @@ impl<T: Real> Multifrontal<T> {
             return Err(fault);
         }
         self.factor.fill(T::ZERO);
-        for (value, &at) in values.zip(&*self.entry) {
-            self.factor[at as usize] = value;
-        }
+        let (factor, mut entries) = (&mut self.factor[..], self.entry.iter());
+        // rows that are made on the way are walked one by one
+        values.for_each(|value| {
+            if let Some(&at) = entries.next() {
+                factor[at as usize] = value;
+            }
+        });
         Ok(())
     }
 

@@ -93,6 +93,10 @@ pub(crate) fn synchronise(path: &Path) -> Result<(), WriteError> {
     }
 }
 
+/// Room that a file keeps for its next lines [bytes]: a large model has results of megabytes, which
+/// would wait for the end of the run.
+const KEPT: usize = 1 << 16;
+
 /// A text file that grows by whole lines and is valid after every
 /// [`Growing::flush`], however the program ends.
 #[derive(Debug)]
@@ -142,6 +146,7 @@ impl Growing {
         }
         self.length += self.text.len() as u64;
         self.text.clear();
+        self.text.shrink_to(KEPT);
         Ok(())
     }
 

@@ -33,6 +33,7 @@ mod element;
 mod energy;
 mod facts;
 mod file;
+pub mod fixed;
 mod fortran;
 mod frd;
 mod history;

@@ -6,7 +6,7 @@ use slideline::model::{Model, NodeIndex};
 use slideline::observe::{
     AttemptReport, Event, FieldReport, IterationReport, Observer, StepReport, Stop,
 };
-use slideline::output::number::push_exponent;
+use slideline::output::fixed::push_exponent;
 use std::fmt::Write as _;
 use std::ops::ControlFlow;
 

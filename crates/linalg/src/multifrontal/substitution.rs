@@ -248,9 +248,14 @@ fn columns_below<T: Real, const M: usize>(panel: &[T], height: usize, first: usi
 /// triangle): what is to be added to these.
 #[inline(always)]
 fn eliminate_below<T: Real>(panel: &[T], own: &mut [T], below: &mut [T]) {
-    let whole = own.len() / TOGETHER * TOGETHER;
-    (0..whole).step_by(TOGETHER).for_each(|j| eliminate::<T, TOGETHER>(panel, own, below, j));
-    (whole..own.len()).for_each(|j| eliminate::<T, 1>(panel, own, below, j));
+    // plain loops: what adapters of iterators call need not be in the wide vectors of who calls them
+    let whole = own.len() / TOGETHER;
+    for j in 0..whole {
+        eliminate::<T, TOGETHER>(panel, own, below, TOGETHER * j);
+    }
+    for j in TOGETHER * whole..own.len() {
+        eliminate::<T, 1>(panel, own, below, j);
+    }
 }
 
 #[inline(always)]
@@ -272,9 +277,13 @@ fn eliminate<T: Real, const M: usize>(panel: &[T], own: &mut [T], below: &mut [T
 /// Finds a front's unknowns, those below being known (unit lower triangle, transposed).
 #[inline(always)]
 fn find_from_below<T: Real>(panel: &[T], own: &mut [T], below: &[T]) {
-    let whole = own.len() / TOGETHER * TOGETHER;
-    (whole..own.len()).rev().for_each(|j| find::<T, 1>(panel, own, below, j));
-    (0..whole).step_by(TOGETHER).rev().for_each(|j| find::<T, TOGETHER>(panel, own, below, j));
+    let whole = own.len() / TOGETHER;
+    for j in (TOGETHER * whole..own.len()).rev() {
+        find::<T, 1>(panel, own, below, j);
+    }
+    for j in (0..whole).rev() {
+        find::<T, TOGETHER>(panel, own, below, TOGETHER * j);
+    }
 }
 
 #[inline(always)]

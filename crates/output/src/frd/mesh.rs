@@ -3,6 +3,7 @@
 use super::results::push_node;
 use crate::date;
 use crate::facts::Formats;
+use crate::fixed::push_whole;
 use crate::outline::{Drawing, Owner, Piece};
 use slideline_model::Model;
 use std::collections::HashSet;
@@ -65,7 +66,7 @@ pub(super) fn push_mesh(
         for line in points.chunks(NODES_A_LINE) {
             text.push_str(" -2");
             for &point in line {
-                let _ = write!(text, "{:>10}", drawing.labels[point]);
+                push_whole(text, drawing.labels[point], 10);
             }
             text.push('\n');
         }

@@ -1,6 +1,6 @@
 //! The results of an increment, a block for each quantity.
 
-use crate::number::push_exponent;
+use crate::fixed::{push_exponent, push_whole};
 use crate::outline::{Drawing, SPACE};
 use crate::section::nodal_sections;
 use slideline_model::{Dialect, Dof, ElementVariable, NodeIndex};
@@ -221,7 +221,8 @@ fn in_order([xx, yy, zz, xy, zx, yz]: [f64; 6]) -> [f64; 6] {
 
 /// A line of a node: its number and values of twelve places.
 pub(super) fn push_node(text: &mut String, label: u64, values: &[f64]) {
-    let _ = write!(text, " -1{label:>10}"); // a String takes any text
+    text.push_str(" -1");
+    push_whole(text, label, 10);
     for &value in values {
         push_exponent(text, value, 5);
     }

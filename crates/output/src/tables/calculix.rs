@@ -11,8 +11,8 @@
 //! are those of all work, what plastic strain took included; measured with ccx 2.20 (docs/keywords/NODE-PRINT.md, EL-PRINT.md).
 
 use super::table::named;
+use crate::fixed::push_exponent;
 use crate::fortran::push_fortran;
-use crate::number::push_exponent;
 use slideline_mech::orientation;
 use slideline_model::{
     Axes, Dof, ElementPrint, ElementVariable, NodePrint, NodeVariable, Request, Totals,

@@ -197,11 +197,11 @@ impl Scratch {
     /// The tangents of the elements, as the matrix begins. With contact a copy of them: its
     /// multipliers may move while the elements stay.
     fn take_tangents(&mut self, plan: &Problem<'_>, committed: &State) {
+        if self.tangent_is_behind || self.evaluation.tangent.is_empty() {
+            self.evaluate_by(plan, committed, self.dt, evaluate_tangent);
+        }
         if !plan.contact.points.is_empty() {
             return self.values.copy_from_slice(&self.evaluation.tangent);
-        }
-        if self.evaluation.tangent.is_empty() {
-            self.evaluate_by(plan, committed, self.dt, evaluate_tangent);
         }
         self.values = std::mem::take(&mut self.evaluation.tangent);
     }

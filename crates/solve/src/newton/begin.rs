@@ -42,7 +42,7 @@ impl Scratch {
         self.changes.reserve(plan.contact.points.len());
         self.dt = target.dt;
         self.negative_pivots = 0;
-        self.factored = false;
+        (self.factored, self.nearly_there) = (false, false);
         self.thrown = false;
         let times = (target.step_time, target.dt);
         stabilise::fill(plan, committed, times, &mut self.dashpots);

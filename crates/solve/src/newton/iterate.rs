@@ -117,7 +117,10 @@ impl Scratch {
             self.search(plan, committed, (dt, length));
         } else {
             self.advance(plan, length);
-            self.evaluate(plan, committed, dt);
+            match self.nearly_there {
+                true => self.evaluate_without_tangent(plan, committed, dt),
+                false => self.evaluate(plan, committed, dt),
+            }
         }
         Ok(())
     }

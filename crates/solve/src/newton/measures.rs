@@ -13,6 +13,16 @@ use slideline_model::Dof;
 /// Roundings of the size of a force that a residual is allowed [1].
 const ROUNDINGS: f64 = 50.0;
 
+/// How many times what quadratic convergence promises an iteration may leave and still be expected
+/// to be the last but one [1]: a guess that decides on work alone.
+const LUCKY: f64 = 100.0;
+
+/// Whether a further iteration is expected to leave no more than is allowed: over the forces that act
+/// it leaves the square of what there is.
+fn is_nearly_there(field: &FieldReport) -> bool {
+    field.residual * field.residual <= LUCKY * field.allowed * field.average
+}
+
 impl Scratch {
     /// Measures the trial state and judges it.
     pub(super) fn judge(
@@ -77,6 +87,8 @@ impl Scratch {
             && report.force.converged
             && report.moment.converged
             && self.contact_settled(plan, report.force.allowed);
+        let fields = [&report.force, &report.moment];
+        self.nearly_there = !report.severe && fields.into_iter().all(is_nearly_there);
         report
     }
 

@@ -118,6 +118,10 @@ pub struct Scratch {
     pub negative_pivots: usize,
     /// Whether the last correction went along a motion that nothing holds.
     pub(super) thrown: bool,
+    /// Whether the last iteration left so little that the next one is expected to find equilibrium.
+    pub(super) nearly_there: bool,
+    /// Whether the tangents of the elements are those of another trial.
+    pub(super) tangent_is_behind: bool,
     /// Whether the factors at hand are of an iteration of this attempt.
     pub(super) factored: bool,
     /// What the iterations of this attempt showed of every contact point.

@@ -1,7 +1,7 @@
 //! The trial state of an attempt, evaluated.
 
 use super::scratch::Scratch;
-use crate::evaluate::{Evaluation, Trial, complete, evaluate};
+use crate::evaluate::{Evaluation, Trial, complete, evaluate, evaluate_forces};
 use crate::problem::Problem;
 use crate::state::State;
 use crate::structure::Ambient;
@@ -37,6 +37,18 @@ impl Scratch {
         self.evaluate_by(plan, committed, dt, evaluate);
     }
 
+    /// Evaluates the trial state but for the tangents of the elements, which the next iteration
+    /// makes if there is one.
+    pub(super) fn evaluate_without_tangent(
+        &mut self,
+        plan: &Problem<'_>,
+        committed: &State,
+        dt: f64,
+    ) {
+        self.evaluate_by(plan, committed, dt, evaluate_forces);
+        self.tangent_is_behind = true;
+    }
+
     /// Evaluates the trial state as it is, or a part of it.
     pub(super) fn evaluate_by(
         &mut self,
@@ -46,6 +58,7 @@ impl Scratch {
         evaluate: fn(&Problem<'_>, &State, &Trial<'_>, &mut Evaluation),
     ) {
         self.give_back();
+        self.tangent_is_behind = false;
         self.write_evaluation(|work, into| {
             evaluate(plan, committed, &work.trial(committed, dt), into)
         });

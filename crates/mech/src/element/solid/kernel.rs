@@ -2,6 +2,7 @@
 
 use super::evaluate::{Task, Widened};
 use super::pressures::{After, WidenedAfter};
+use super::results::{Asked, WidenedResults};
 use super::solids::Solids;
 use crate::element::kernel::{Failure, Kernel, Response, Scale, Surroundings};
 
@@ -87,6 +88,7 @@ impl<const D: usize, const N: usize, const P: usize> Kernel for Solids<D, N, P> 
         under: &Surroundings<'_>,
         into: &mut [f64],
     ) {
-        self.write_results(element, (q, state), under, into);
+        let asked = Asked { element, q, state, under, into };
+        pulp::Arch::new().dispatch(WidenedResults(self, asked));
     }
 }

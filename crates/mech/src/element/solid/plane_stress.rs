@@ -6,7 +6,7 @@
 //! ```
 
 use super::place::NO_STRAIN;
-use crate::material::tensor::Matrix;
+use crate::material::tensor::{INDEX, Matrix};
 use crate::material::{Answer, Conditions};
 use crate::orientation::Oriented;
 
@@ -24,6 +24,7 @@ const CLOSE: f64 = 1e-8;
 
 /// Answers with H33 such that nothing pulls across; writes it into the gradient. The stress across
 /// that is left is that of rounding; `None`: there is no such H33.
+#[inline(always)]
 pub(super) fn ask(
     material: &Oriented<'_>,
     gradient: &mut Matrix,
@@ -72,13 +73,16 @@ fn first_guess(
     exact.or(committed).unwrap_or(0.0)
 }
 
-/// The answer with the strain across eliminated.
+/// Indices of the components in the plane.
+const PLANE: [usize; 3] = [INDEX[0][0], INDEX[1][1], INDEX[0][1]];
+
+/// The answer in the plane with the strain across eliminated.
+#[inline(always)]
 fn condensed(mut answer: Answer) -> Answer {
     let across = answer.moduli[2];
-    for (row, by) in answer.moduli.iter_mut().zip(across) {
-        for (entry, other) in row.iter_mut().zip(across) {
-            *entry -= by * other / across[2];
-        }
+    for k in PLANE {
+        let part = answer.moduli[k][2] / across[2];
+        PLANE.iter().for_each(|&l| answer.moduli[k][l] -= part * across[l]);
     }
     answer.stress[2] = 0.0;
     answer

@@ -31,6 +31,7 @@ fn taken_along(axes: &axes::Axes, gradient: &Matrix) -> axes::Axes {
 impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
     /// All points of a committed state, which answers its own strains with the same stresses;
     /// `None` where it has no answer.
+    #[inline(always)]
     pub(super) fn committed_points(
         &self,
         element: usize,
@@ -52,6 +53,7 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
     /// sum twice) [1], stored energy and energy taken by flow of a unit of undeformed volume [F/L2];
     /// then the same two energies [F L] and the volume [L3] of the element, current (Abaqus) or
     /// undeformed (CalculiX).
+    #[inline(always)]
     pub(super) fn write_results(
         &self,
         element: usize,
@@ -93,5 +95,32 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
             sums.iter_mut().zip(own).for_each(|(sum, own)| *sum += point.weight * own);
         }
         whole.iter_mut().zip(sums).for_each(|(entry, sum)| *entry = sum);
+    }
+}
+
+/// What results are asked of.
+pub(super) struct Asked<'a> {
+    pub element: usize,
+    pub q: &'a [f64],
+    pub state: &'a [f64],
+    pub under: &'a Surroundings<'a>,
+    pub into: &'a mut [f64],
+}
+
+/// Results in the widest vector instructions that the processor has, as forces are.
+pub(super) struct WidenedResults<'a, const D: usize, const N: usize, const P: usize>(
+    pub &'a Solids<D, N, P>,
+    pub Asked<'a>,
+);
+
+impl<const D: usize, const N: usize, const P: usize> pulp::WithSimd
+    for WidenedResults<'_, D, N, P>
+{
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        let Asked { element, q, state, under, into } = self.1;
+        self.0.write_results(element, (q, state), under, into);
     }
 }
