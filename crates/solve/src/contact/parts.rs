@@ -42,13 +42,11 @@ impl Contact {
     pub(super) fn take_thicknesses(&mut self, model: &Model) {
         self.thicknesses = Thicknesses::default();
         let is_line = |own: &MasterSurface| matches!(own, MasterSurface::Line { itself: None, .. });
-        if model.is_in_space() || !(self.masters.iter().any(is_line) || !self.mortars.is_empty()) {
+        let in_plane = self.masters.iter().any(is_line) || !self.mortars.is_empty();
+        if model.is_in_space() || !in_plane || sides(model).next().is_none() {
             return;
         }
         let parts = Parts::new(model);
-        if parts.faces.is_empty() {
-            return;
-        }
         let mut of_points = vec![f64::INFINITY; self.points.len()];
         for mortar in &self.mortars {
             let nodes = &self.slave_nodes[mortar.pair][..];
