@@ -14,6 +14,7 @@ use super::mortar::slave::{Control, Mortar};
 use super::pairs::Contact;
 use super::thicknesses::Thicknesses;
 use slideline_mech::contact::search::tree::{Bounds, BoxTree};
+use slideline_mech::vector::{Vector, add, cross, scale, size, sub};
 use slideline_model::{Kinematics, Master, Model, NodeIndex};
 use std::cell::Cell;
 use std::collections::HashMap;
@@ -21,11 +22,9 @@ use std::collections::HashMap;
 /// Part of a face beside it that still belongs to it: meshes have faces middle upon node [1].
 const BESIDE: f64 = 1e-9;
 
-type Point = [f64; 2];
-
 /// A face at which a part ends; the part is on the left of the way from its first end to its second.
 struct Face {
-    ends: [Point; 2],
+    ends: [Vector; 2],
     part: NodeIndex,
 }
 
@@ -34,7 +33,7 @@ struct Parts {
     faces: Vec<Face>,
     /// Which of them has these nodes, the lower one first: both ends, or one and the middle node.
     places: HashMap<[NodeIndex; 2], usize>,
-    tree: BoxTree<2>,
+    tree: BoxTree<3>,
 }
 
 impl Contact {
@@ -83,16 +82,13 @@ impl Parts {
                     places.insert(sorted(own[0], own[1]), faces.len());
                 });
                 places.insert(sorted(first, last), faces.len());
-                let ends = [first, last].map(|node| {
-                    let [x, y, _] = model.nodes.position(node);
-                    [x, y]
-                });
+                let ends = [first, last].map(|node| model.nodes.position(node));
                 faces.push(Face { ends, part: part[first] });
             }
         }
-        let bounds = |face: usize| -> Bounds<2> {
+        let bounds = |face: usize| -> Bounds<3> {
             let [a, b] = faces[face].ends;
-            ([0, 1].map(|k| a[k].min(b[k])), [0, 1].map(|k| a[k].max(b[k])))
+            ([0, 1, 2].map(|k| a[k].min(b[k])), [0, 1, 2].map(|k| a[k].max(b[k])))
         };
         let tree = BoxTree::new(faces.len(), bounds);
         Self { faces, places, tree }
@@ -102,10 +98,9 @@ impl Parts {
     fn behind(&self, nodes: [NodeIndex; 2]) -> f64 {
         let Some(&own) = self.places.get(&sorted(nodes[0], nodes[1])) else { return f64::INFINITY };
         let Face { ends: [a, b], part } = self.faces[own];
-        let along = [b[0] - a[0], b[1] - a[1]];
-        let length = along[0].hypot(along[1]);
-        let inward = [-along[1] / length, along[0] / length];
-        let middle = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
+        let along = sub(b, a);
+        let inward = scale([-along[1], along[0], 0.0], 1.0 / size(along));
+        let middle = scale(add(a, b), 0.5);
         let nearest = Cell::new(f64::INFINITY);
         self.tree.along((middle, inward), &nearest, |other| {
             let face = &self.faces[other];
@@ -133,14 +128,14 @@ impl Parts {
 }
 
 /// After which way along a line from a place [L] it leaves a part through a face of that; `None`: it does not.
-fn left_after([a, b]: [Point; 2], (from, along): (Point, Point)) -> Option<f64> {
-    let cross = |a: Point, b: Point| a[0] * b[1] - a[1] * b[0];
-    let (edge, to) = ([b[0] - a[0], b[1] - a[1]], [a[0] - from[0], a[1] - from[1]]);
-    let area = cross(along, edge);
+fn left_after([a, b]: [Vector; 2], (from, along): (Vector, Vector)) -> Option<f64> {
+    let turn = |a: Vector, b: Vector| cross(a, b)[2];
+    let (edge, to) = (sub(b, a), sub(a, from));
+    let area = turn(along, edge);
     if area <= 0.0 {
         return None;
     }
-    let (way, at) = (cross(to, edge) / area, cross(to, along) / area);
+    let (way, at) = (turn(to, edge) / area, turn(to, along) / area);
     (way > 0.0 && (-BESIDE..=1.0 + BESIDE).contains(&at)).then_some(way)
 }
 
@@ -188,8 +183,8 @@ mod tests {
     /// through one by which it enters, nor behind its beginning, nor beside the face.
     #[test]
     fn ways_leave_through_faces_that_look_along_them() {
-        let up = |x: f64| ([x, 0.0], [0.0, 1.0]);
-        let face = [[3.0, 2.0], [0.0, 5.0]];
+        let up = |x: f64| ([x, 0.0, 0.0], [0.0, 1.0, 0.0]);
+        let face = [[3.0, 2.0, 0.0], [0.0, 5.0, 0.0]];
         let after = |x: f64| left_after(face, up(x));
         for x in [0.0, 1.0, 2.5, 3.0] {
             let way = after(x).unwrap();
@@ -197,6 +192,6 @@ mod tests {
         }
         assert_eq!((after(-0.1), after(3.1)), (None, None));
         assert_eq!(left_after([face[1], face[0]], up(1.0)), None);
-        assert_eq!(left_after(face, ([1.0, 6.0], [0.0, 1.0])), None);
+        assert_eq!(left_after(face, ([1.0, 6.0, 0.0], [0.0, 1.0, 0.0])), None);
     }
 }
