@@ -119,8 +119,9 @@ pub fn locate_points(
     (positions, kinematics): (&mut MasterPositions, &mut ContactKinematics),
 ) {
     contact.locate((&committed.displacement, Before::of(committed)), &[], positions, kinematics);
-    if let Some(before) = before {
-        contact.stay_behind(before, &committed.points, kinematics);
+    match before {
+        Some(before) => contact.stay_behind(before, &committed.points, kinematics),
+        None => contact.stay_outside(kinematics),
     }
     for (point, kinematics) in committed.points.iter_mut().zip(kinematics.points()) {
         (point.opening, point.allowed) = (-kinematics.overclosure, kinematics.allowed);

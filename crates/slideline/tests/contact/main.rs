@@ -51,6 +51,7 @@ mod strip;
 mod strip_reference;
 mod supported_slaves;
 mod thickness;
+mod through_parts;
 mod two_blocks;
 mod two_coefficients;
 mod valleys;

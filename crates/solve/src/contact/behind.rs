@@ -1,11 +1,13 @@
 //! Points that stand behind a master, or have no room between two.
 
+use super::facing::Facing;
 use super::kinematics::{ContactKinematics, PointKinematics};
 use super::master::MasterSurface;
 use super::pairs::{Contact, SlavePoint};
 use super::positions::distance;
 use crate::state::PointState;
 use slideline_mech::contact::gap::offset::Offset;
+use slideline_mech::contact::search::chain::PieceKind;
 use slideline_mech::contact::search::pass::cross_faces;
 use slideline_mech::contact::search::sweep::{cross_chain, cross_parts};
 use slideline_model::Presence;
@@ -24,6 +26,73 @@ fn stands_behind(
 }
 
 impl Contact {
+    /// Turns nodes away that begin behind the part of their master, further than it is thick there: they stand on its
+    /// other side, not in it. Where all that a pair faces does, the master looks the wrong way, which is said elsewhere.
+    ///
+    /// ```text
+    ///     --+------+ top        the node stands below the part, beyond the end of its bore, and
+    ///   bore| part |            faces its top from behind, through all of it
+    ///       +------+
+    ///          x
+    /// ```
+    pub fn stay_outside(&self, kinematics: &mut ContactKinematics) {
+        for pair in 0..self.own_pairs() {
+            let own = self.points.iter().enumerate().filter(|(_, point)| point.pair == pair);
+            let (mut behind, mut others) = (Vec::new(), false);
+            for (place, point) in own {
+                let now = &kinematics.points()[place];
+                match self.is_beyond(point, now) {
+                    true => behind.push(place),
+                    false => others |= now.faces,
+                }
+            }
+            if others {
+                behind.into_iter().for_each(|place| kinematics.at_mut(place).turn_away_in_place());
+            }
+        }
+    }
+
+    /// Whether a node stands further behind what it faces than the part there is thick: on its other side.
+    fn is_beyond(&self, point: &SlavePoint, now: &PointKinematics) -> bool {
+        point.is_node() && now.overclosure > self.thickness_at(point.pair, now)
+    }
+
+    /// How thick the part of a master is behind what a point faces of it [L].
+    fn thickness_at(&self, pair: usize, now: &PointKinematics) -> f64 {
+        let (MasterSurface::Line { nodes, beyond, itself: None, .. }, Some(Facing::Piece(piece))) =
+            (&self.masters[pair], &now.facing)
+        else {
+            return f64::INFINITY;
+        };
+        let of =
+            |part: usize| self.thicknesses.of_master(pair, beyond.own_segment(part, nodes.len()));
+        match piece.kind {
+            PieceKind::Straight | PieceKind::Curve { .. } => of(piece.index),
+            PieceKind::Corner | PieceKind::Nose { .. } => {
+                let before = piece.index.checked_sub(1);
+                let last = nodes.len().saturating_sub(2);
+                before.into_iter().chain([piece.index.min(last)]).map(of).fold(0.0, f64::max)
+            }
+        }
+    }
+
+    /// Whether a point that did not touch faces something now through a part: a node the far side of the
+    /// master's; a point that is spread over faces, and faced nothing before, a master further behind these than its own is
+    /// thick.
+    fn faces_through_a_part(
+        &self,
+        place: usize,
+        before: &PointState,
+        now: &PointKinematics,
+    ) -> bool {
+        let point = &self.points[place];
+        let through = || match point.is_spread() {
+            true => before.along.is_none() && now.overclosure > self.thicknesses.of_point(place),
+            false => self.is_beyond(point, now),
+        };
+        !before.closed && now.faces && through()
+    }
+
     /// Two rigid masters of the same slave nodes that stand deeper in one another
     /// than in the undeformed model and than their points sink in: their pairs,
     /// and how deep [L].
@@ -67,7 +136,9 @@ impl Contact {
 
     /// Turns slave nodes away from masters that they did not meet from the
     /// front: those that faced nothing at the last commit, as beyond an open end,
-    /// and stand behind their master now without having crossed it.
+    /// and stand behind their master now without having crossed it. Where contact is spread over faces, a
+    /// part of a face may be covered while its node is beside the master: that counts as behind where the own part
+    /// lies between.
     ///
     /// ```text
     ///     front   o------------- master     a node that comes round the end
@@ -81,7 +152,9 @@ impl Contact {
     ) {
         for (place, point) in self.points.iter().enumerate() {
             let now = kinematics.points()[place];
-            if stands_behind((point, self.offsets[point.pair]), &before[place], &now) {
+            if stands_behind((point, self.offsets[point.pair]), &before[place], &now)
+                || self.faces_through_a_part(place, &before[place], &now)
+            {
                 let start = self.slave(point, 0.0, from).position;
                 if !self.enters(point, (start, now.position), (from, u)) {
                     kinematics.at_mut(place).turn_away_in_place();
@@ -102,7 +175,8 @@ impl Contact {
             let now = kinematics.points()[place];
             let own = (point, self.offsets[point.pair]);
             if presence.has_pair(self.parent(point.pair))
-                && stands_behind(own, &before[place], &now)
+                && (stands_behind(own, &before[place], &now)
+                    || self.faces_through_a_part(place, &before[place], &now))
             {
                 kinematics.at_mut(place).turn_away_in_place();
             }

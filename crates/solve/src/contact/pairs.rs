@@ -9,6 +9,7 @@ use super::mortar_faces::slave::FaceMortar;
 use super::segment::{SEGMENT_POINTS, STRETCHES, SlaveSegment};
 use super::slave_face::SlaveFace;
 use super::stencil::SectionTurn;
+use super::thicknesses::Thicknesses;
 use crate::dofs::Translations;
 use crate::state::PointState;
 use slideline_mech::contact::friction::FrictionLaw;
@@ -136,6 +137,8 @@ pub struct Contact {
     pub(super) apart: Vec<Vec<Apart>>,
     /// How far the surfaces stand off the lines of beams, a pair each.
     pub(super) offsets: Vec<Offset>,
+    /// How thick the parts of pairs are, in the plane.
+    pub(super) thicknesses: Thicknesses,
     /// Faces of the slave surfaces of contact at nodes.
     pub(super) slave_faces: Vec<SlaveFace>,
     /// Masters that have a sharp edge, a pair each.

@@ -63,6 +63,7 @@ impl Contact {
         contact.take_crossings(model);
         contact.take_slave_faces(model);
         contact.take_left_out(model);
+        contact.take_thicknesses(model);
         contact
     }
 
@@ -226,6 +227,7 @@ impl Contact {
         self.take_crossings(model);
         self.take_slave_faces(model);
         self.take_bonds();
+        self.take_thicknesses(model);
         Ok(())
     }
 }

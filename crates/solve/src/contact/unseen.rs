@@ -24,7 +24,11 @@ impl Contact {
         kinematics: &'a ContactKinematics,
     ) -> impl Iterator<Item = Unseen> + 'a {
         let in_plane = self.mortars.iter().zip(&kinematics.mortars);
-        let in_plane = in_plane.map(|(own, room)| (own.pair, own.first, room.now.unseen(own)));
+        let points = kinematics.points();
+        let in_plane = in_plane.map(move |(own, room)| {
+            let unseen = room.now.unseen(own, |point| points[own.first + point].faces);
+            (own.pair, own.first, unseen)
+        });
         let in_space = self.face_mortars.iter().zip(&kinematics.face_mortars);
         let in_space = in_space.map(|(own, room)| (own.pair, own.first, room.now.unseen(own)));
         let is_there = move |pair: usize| !matches!(self.masters[pair], MasterSurface::Nothing);

@@ -6,7 +6,7 @@
 //!     |    a    |
 //!     |    |    |        a node meets a face that looks at it (n_a . n_s < -.01), is none of its
 //!      \   v   /         neighbours, and stands in front of it, or no deeper behind it than half
-//!       '--s--'          the part is thick
+//!       '--s--'          the part is thick; no deeper than either is where the way leads through the part
 //! ```
 //!
 //! Of two nodes that meet each other's faces one alone is a slave: the one that ranks first.
@@ -294,8 +294,27 @@ impl Itself {
             return false;
         }
         let height = cross(tangent, sub(point, foot));
-        height >= 0.0
-            || (found.distance <= SUNK * self.thickness[part] && !self.is_inside(seat, part))
+        height >= 0.0 || found.distance <= self.most_sunk(seat, part)
+    }
+
+    /// How deep the node at a seat may stand behind a segment [L]: where the way there led through their own
+    /// part at the start, as from the side of a strip to its end, no deeper than either side is thick.
+    fn most_sunk(&self, seat: usize, part: usize) -> f64 {
+        match self.is_inside(seat, part) {
+            true => f64::NEG_INFINITY,
+            false if self.leads_through(seat, part) => {
+                SUNK * self.thickness_towards(seat, part).min(self.thickness[part])
+            }
+            false => SUNK * self.thickness[part],
+        }
+    }
+
+    /// Whether the way from the node at a seat to the middle of a segment led into the part at the start, and
+    /// out of it there.
+    fn leads_through(&self, seat: usize, part: usize) -> bool {
+        let (from, a, b) = (self.reference[seat], self.reference[part], self.reference[part + 1]);
+        let way = sub([0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])], from);
+        self.leads_in(seat, way) && cross(sub(b, a), way) > 0.0
     }
 
     /// Depth of the part behind the faces of a seat that look at a segment, undeformed, of both where
@@ -321,16 +340,19 @@ impl Itself {
         let edge = sub(b, a);
         let at = (dot(sub(from, a), edge) / dot(edge, edge)).clamp(0.0, 1.0);
         let way = sub([a[0] + at * edge[0], a[1] + at * edge[1]], from);
-        let leaves = |edge: Point| cross(edge, way);
+        let near = size(way) <= INSIDE_OF * own.min(self.thickness[part]) + size(edge);
+        near && self.leads_in(seat, way) && cross(edge, way) > 0.0
+    }
+
+    /// Whether a way from the undeformed node at a seat leads into the part: behind a valley is what is behind
+    /// one of both faces, elsewhere what is behind both.
+    fn leads_in(&self, seat: usize, way: Point) -> bool {
         let edges = self.beside(seat).map(|side| along_of(&self.reference, side));
-        let mut enters = edges.map(|edge| leaves(edge) <= 0.0);
-        // behind a valley is what is behind one of both faces, elsewhere what is behind both
-        let inward = match self.turn(seat) > 0.0 {
+        let mut enters = edges.map(|edge| cross(edge, way) <= 0.0);
+        match self.turn(seat) > 0.0 {
             true => enters.any(|enters| enters),
             false => enters.all(|enters| enters),
-        };
-        let near = size(way) <= INSIDE_OF * own.min(self.thickness[part]) + size(edge);
-        near && inward && leaves(edge) > 0.0
+        }
     }
 
     /// How far the straight way inward from the middle of a segment leads to the next one that

@@ -7,9 +7,14 @@ use super::slave::Mortar;
 
 impl MortarRoom {
     /// The slave face that lies deepest in the master beyond its mean: by how much, in lengths of the
-    /// face [1], and one of its points.
-    pub fn unseen(&self, mortar: &Mortar) -> Option<(f64, usize)> {
-        let covered = self.faces.iter().enumerate().filter(|(_, state)| state.is_covered);
+    /// face [1], and one of its points. Faces none of whose points faces the master do not meet it.
+    pub fn unseen(&self, mortar: &Mortar, faces: impl Fn(usize) -> bool) -> Option<(f64, usize)> {
+        let meets = |place: usize| {
+            let own = &mortar.faces[place];
+            own.points[..own.count].iter().any(|&point| faces(point))
+        };
+        let covered = self.faces.iter().enumerate();
+        let covered = covered.filter(|&(place, state)| state.is_covered && meets(place));
         let all = covered.filter_map(|(place, state)| {
             let face = state.face(mortar, place);
             let depth = state.integrals.unseen_depth(&face, &state.segments)?;

@@ -192,3 +192,23 @@ fn a_node_in_a_valley_does_not_see_through_its_part() {
         }
     }
 }
+
+/// Requirement: nor do the sides of a strip that is bent a little meet its ends, through its length.
+#[test]
+fn the_sides_of_a_bent_strip_do_not_meet_its_ends() {
+    let mut nodes: Vec<Plane> = (0..=20).map(|k| [2.0 * f64::from(k), 1.0]).collect();
+    nodes.extend((0..=20).rev().map(|k| [2.0 * f64::from(k), 0.0]));
+    let strip = Surface::new(&[(&nodes, true)]);
+    for curvature in [-0.02, -0.004, -0.001, 0.001, 0.004, 0.02_f64] {
+        let bent: Vec<Plane> = nodes
+            .iter()
+            .map(|&[x, y]| {
+                let (s, c) = (curvature * x).sin_cos();
+                [s / curvature - y * s, (1.0 - c) / curvature + y * c]
+            })
+            .collect();
+        for node in 0..strip.count() {
+            assert_eq!(strip.met(&bent, node), None, "{curvature} {node}");
+        }
+    }
+}

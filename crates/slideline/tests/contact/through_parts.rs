@@ -1,0 +1,104 @@
+//! What is behind a part is not in it: neither the far side of the master's part, nor a master behind the slave's.
+//!
+//! ```text
+//!        | hub |                  slave
+//!     pin|_____|                +-------+
+//!        |  x                   +-------+      seen along the normal of the slave's back the nearest face
+//!     ___|  a node below             ________  that looks at it is one below its front
+//!                                   |
+//! ```
+
+#![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
+
+use crate::noise::{codes, folder, run_in};
+use slideline::{Job, ReadOptions, Status};
+use std::fmt::Write as _;
+
+const MATERIAL: &str = "*MATERIAL, NAME=M\n*ELASTIC\n1000., 0.3\n*SOLID SECTION, ELSET=A, MATERIAL=M\n1.\n\
+                        *SURFACE INTERACTION, NAME=I\n1.\n";
+
+/// Nodes of a grid from a number on, row by row, and its elements.
+fn grid(first: usize, xs: &[f64], ys: &[f64]) -> [String; 2] {
+    let (mut nodes, mut elements) = (String::new(), String::new());
+    for (j, y) in ys.iter().enumerate() {
+        for (i, x) in xs.iter().enumerate() {
+            writeln!(nodes, "{}, {x:?}, {y:?}", first + j * xs.len() + i).unwrap();
+        }
+    }
+    let across = xs.len() - 1;
+    for element in 0..across * (ys.len() - 1) {
+        let low = first + element / across * xs.len() + element % across;
+        let high = low + xs.len();
+        writeln!(elements, "{}, {low}, {}, {}, {high}", first + element, low + 1, high + 1)
+            .unwrap();
+    }
+    [nodes, elements]
+}
+
+/// A pin that overlaps the bore of a hub and stands out of it at both ends; the hub's surface is its bore, or has its top too.
+fn pin_in_a_hub(has_top: bool, adjust: &str) -> String {
+    let quarter = |k: i32| 0.25 * f64::from(k);
+    let heights = |from: i32, to: i32| (from..=to).map(quarter).collect::<Vec<_>>();
+    let [pin, of_pin] = grid(1, &[0.0, 0.5, 1.01], &heights(-2, 6));
+    let [hub, of_hub] = grid(101, &[1.0, 2.0, 3.0], &heights(0, 4));
+    let side: String = (1..=8).map(|k| format!("{}, S2\n", 2 * k)).collect();
+    let bore: String = (0..4).map(|k| format!("{}, S4\n", 101 + 2 * k)).collect();
+    let top = if has_top { "107, S3\n108, S3\n" } else { "" };
+    format!(
+        "*HEADING\npin\n*NODE\n{pin}{hub}*ELEMENT, TYPE=CPS4, ELSET=A\n{of_pin}{of_hub}{MATERIAL}\
+         *SURFACE, NAME=PIN\n{side}*SURFACE, NAME=HUB\n{bore}{top}\
+         *CONTACT PAIR, INTERACTION=I, TYPE=NODE TO SURFACE{adjust}\nPIN, HUB\n\
+         *NSET, NSET=AXIS, GENERATE\n1, 25, 3\n*NSET, NSET=BACK, GENERATE\n103, 115, 3\n\
+         *BOUNDARY\nAXIS, 1, 2\nBACK, 1, 2\n*STEP, NLGEOM\n*STATIC\n1., 1.\n*END STEP\n"
+    )
+}
+
+/// The last row of `JOB.pair.csv`.
+fn last_row(name: &str, deck: &str) -> Vec<String> {
+    let folder = folder(name);
+    let read = Job::read_text("part", deck, &ReadOptions::default());
+    let outcome = run_in(&folder, &read);
+    assert_eq!(outcome.status, Status::Completed, "{name}: {:?}", codes(&outcome));
+    let text = std::fs::read_to_string(folder.join("part.pair.csv")).unwrap();
+    text.lines().last().unwrap().split(',').map(str::to_owned).collect()
+}
+
+/// Requirement: nodes of the pin below the hub are not in its top, from behind through all of it: the pin presses as it
+/// does where the bore alone is the surface, and `ADJUST` leaves these nodes where they are.
+#[test]
+fn nodes_behind_a_part_are_not_in_it() {
+    let [top, bore] = [true, false].map(|has_top| {
+        let row = last_row(&format!("hub_{has_top}"), &pin_in_a_hub(has_top, ""));
+        row[4..].to_vec()
+    });
+    assert_eq!(top[0], "5");
+    let force = |row: &[String]| row[4].parse::<f64>().unwrap();
+    assert!(force(&bore).abs() > 1.0 && (force(&top) / force(&bore) - 1.0).abs() < 1e-4);
+    let read = Job::read_text("hub", &pin_in_a_hub(true, ", ADJUST=0.02"), &ReadOptions::default());
+    let said = read.diagnostics.iter().find(|said| said.code.0 == "SL0417").unwrap();
+    assert!(said.message.contains("moved 5 slave nodes"), "{}", said.message);
+}
+
+/// Requirement: a strip whose outline is the surface does not meet a rigid profile that passes far below it, looking down,
+/// from behind through the strip; nor when the next step begins.
+#[test]
+fn a_strip_does_not_face_through_itself() {
+    let [nodes, elements] = grid(1, &[0.0, 0.5, 1.0, 1.5, 2.0], &[0.0, 0.5]);
+    let step = |way: f64| {
+        format!(
+            "*STEP, NLGEOM\n*STATIC\n0.1, 1., 1e-5, 0.1\n*BOUNDARY\n90, 1, 1, {way:?}\n*END STEP\n"
+        )
+    };
+    let deck = format!(
+        "*HEADING\nstrip\n*NODE\n{nodes}90, 3., 0.\n*ELEMENT, TYPE=CPS4, ELSET=A\n{elements}{MATERIAL}\
+         *SURFACE, NAME=S\nA,\n*SURFACE, NAME=R, TYPE=SEGMENTS\nSTART, 3., -1.\nLINE, 3., -3.\nLINE, 2.4, -3.\n\
+         *RIGID BODY, REF NODE=90, ANALYTICAL SURFACE=R\n\
+         *CONTACT PAIR, INTERACTION=I, TYPE=SURFACE TO SURFACE\nS, R\n\
+         *BOUNDARY\n1, 1, 2\n6, 1, 2\n90, 2\n90, 6\n{}{}",
+        step(-1.2),
+        step(-1.3)
+    );
+    let row = last_row("strip_through", &deck);
+    let [closed, unseen] = [4, 18].map(|place: usize| row[place].parse::<f64>().unwrap());
+    assert_eq!((closed, unseen), (0.0, 0.0), "{row:?}");
+}

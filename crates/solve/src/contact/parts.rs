@@ -1,0 +1,197 @@
+//! How thick parts are behind their faces in the plane, before anything moves.
+//!
+//! ```text
+//!     o-----o-----o
+//!     |     |     |      from the middle of a face inwards to where the way leaves the part
+//!     |     v     |
+//!     o-----o-----o
+//! ```
+//!
+//! docs/theory.md section 5.8
+
+use super::master::MasterSurface;
+use super::mortar::slave::{Control, Mortar};
+use super::pairs::Contact;
+use super::thicknesses::Thicknesses;
+use slideline_mech::contact::search::tree::{Bounds, BoxTree};
+use slideline_mech::vector::{Vector, add, cross, scale, size, sub};
+use slideline_model::{Kinematics, Master, Model, NodeIndex};
+use std::cell::Cell;
+use std::collections::HashMap;
+
+/// Part of a face beside it that still belongs to it: meshes have faces middle upon node [1].
+const BESIDE: f64 = 1e-9;
+
+/// A face at which a part ends; the part is on the left of the way from its first end to its second.
+struct Face {
+    ends: [Vector; 2],
+    part: NodeIndex,
+}
+
+/// The solids of a model by the faces at which they end.
+struct Parts {
+    faces: Vec<Face>,
+    /// Which of them has these nodes, the lower one first: both ends, or one and the middle node.
+    places: HashMap<[NodeIndex; 2], usize>,
+    tree: BoxTree<3>,
+}
+
+impl Contact {
+    /// Measures the parts of all pairs in the plane.
+    pub(super) fn take_thicknesses(&mut self, model: &Model) {
+        self.thicknesses = Thicknesses::default();
+        let is_line = |own: &MasterSurface| matches!(own, MasterSurface::Line { itself: None, .. });
+        let in_plane = self.masters.iter().any(is_line) || !self.mortars.is_empty();
+        if model.is_in_space() || !in_plane || sides(model).next().is_none() {
+            return;
+        }
+        let parts = Parts::new(model);
+        let mut of_points = vec![f64::INFINITY; self.points.len()];
+        for mortar in &self.mortars {
+            let nodes = &self.slave_nodes[mortar.pair][..];
+            let own = mortar.of_point.len();
+            let into = &mut of_points[mortar.first..mortar.first + own];
+            into.iter_mut().zip(0..).for_each(|(own, point)| {
+                *own = parts.behind_point(mortar, nodes, point);
+            });
+        }
+        let of_master = |master: &Master| match master {
+            Master::SlideLine(line) => {
+                let segments = line.nodes.windows(2);
+                segments.map(|own| parts.behind([own[0], own[1]])).collect()
+            }
+            _ => Vec::new(),
+        };
+        let of_masters = model.contact_pairs.iter().map(|pair| of_master(&pair.master)).collect();
+        self.thicknesses = Thicknesses { of_points, of_masters };
+    }
+}
+
+impl Parts {
+    fn new(model: &Model) -> Self {
+        let part = joined(model);
+        let mut known: HashMap<[NodeIndex; 2], usize> = HashMap::new();
+        let all = || sides(model);
+        all()
+            .for_each(|side| *known.entry(sorted(side[0], side[side.len() - 1])).or_default() += 1);
+        let (mut faces, mut places) = (Vec::new(), HashMap::new());
+        for side in all() {
+            let (first, last) = (side[0], side[side.len() - 1]);
+            if known[&sorted(first, last)] == 1 {
+                side.windows(2).for_each(|own| {
+                    places.insert(sorted(own[0], own[1]), faces.len());
+                });
+                places.insert(sorted(first, last), faces.len());
+                let ends = [first, last].map(|node| model.nodes.position(node));
+                faces.push(Face { ends, part: part[first] });
+            }
+        }
+        let bounds = |face: usize| -> Bounds<3> {
+            let [a, b] = faces[face].ends;
+            ([0, 1, 2].map(|k| a[k].min(b[k])), [0, 1, 2].map(|k| a[k].max(b[k])))
+        };
+        let tree = BoxTree::new(faces.len(), bounds);
+        Self { faces, places, tree }
+    }
+
+    /// How thick a part is behind the face with these nodes [L]; infinite where it ends with none there.
+    fn behind(&self, nodes: [NodeIndex; 2]) -> f64 {
+        let Some(&own) = self.places.get(&sorted(nodes[0], nodes[1])) else { return f64::INFINITY };
+        let Face { ends: [a, b], part } = self.faces[own];
+        let along = sub(b, a);
+        let inward = scale([-along[1], along[0], 0.0], 1.0 / size(along));
+        let middle = scale(add(a, b), 0.5);
+        let nearest = Cell::new(f64::INFINITY);
+        self.tree.along((middle, inward), &nearest, |other| {
+            let face = &self.faces[other];
+            if other != own && face.part == part {
+                let way = left_after(face.ends, (middle, inward)).unwrap_or(f64::INFINITY);
+                nearest.set(nearest.get().min(way));
+            }
+        });
+        nearest.get()
+    }
+
+    /// Behind the faces of a point of a mortar, the larger one [L].
+    fn behind_point(&self, mortar: &Mortar, nodes: &[NodeIndex], point: usize) -> f64 {
+        let of_point = mortar.of_point[point].iter().flatten();
+        let behind = |&(face, _): &(usize, usize)| {
+            let own = &mortar.faces[face];
+            let ends = [own.controls[0], own.controls[own.count - 1]];
+            match ends {
+                [Control::Node(a), Control::Node(b)] => self.behind([nodes[a], nodes[b]]),
+                _ => f64::INFINITY,
+            }
+        };
+        of_point.map(behind).reduce(f64::max).unwrap_or(f64::INFINITY)
+    }
+}
+
+/// After which way along a line from a place [L] it leaves a part through a face of that; `None`: it does not.
+fn left_after([a, b]: [Vector; 2], (from, along): (Vector, Vector)) -> Option<f64> {
+    let turn = |a: Vector, b: Vector| cross(a, b)[2];
+    let (edge, to) = (sub(b, a), sub(a, from));
+    let area = turn(along, edge);
+    if area <= 0.0 {
+        return None;
+    }
+    let (way, at) = (turn(to, edge) / area, turn(to, along) / area);
+    (way > 0.0 && (-BESIDE..=1.0 + BESIDE).contains(&at)).then_some(way)
+}
+
+/// The sides of all solids, with their part on the left.
+fn sides(model: &Model) -> impl Iterator<Item = Vec<NodeIndex>> + '_ {
+    let is_solid = |kind| matches!(kind, Kinematics::Solid { .. });
+    let blocks = model.blocks.iter().filter(move |block| is_solid(block.kind.kinematics));
+    blocks.flat_map(|block| {
+        let of_element = |nodes: &[NodeIndex]| -> Vec<Vec<NodeIndex>> {
+            let faces = block.kind.cell.faces.iter();
+            faces.map(|face| face.iter().map(|&own| nodes[own]).collect()).collect()
+        };
+        block.elements.iter().flat_map(move |element| of_element(element.nodes))
+    })
+}
+
+/// Of every node one that stands for all that solids join it to.
+fn joined(model: &Model) -> Vec<NodeIndex> {
+    fn top(above: &mut [NodeIndex], mut node: NodeIndex) -> NodeIndex {
+        while above[node] != node {
+            above[node] = above[above[node]];
+            node = above[node];
+        }
+        node
+    }
+    let mut above: Vec<NodeIndex> = (0..model.nodes.len()).collect();
+    for side in sides(model) {
+        for own in side.windows(2) {
+            let [a, b] = [own[0], own[1]].map(|node| top(&mut above, node));
+            above[a.max(b)] = a.min(b);
+        }
+    }
+    (0..above.len()).map(|node| top(&mut above, node)).collect()
+}
+
+fn sorted(a: NodeIndex, b: NodeIndex) -> [NodeIndex; 2] {
+    [a.min(b), a.max(b)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Requirement: a way leaves through a face that looks along it, at whichever angle, its ends included; not
+    /// through one by which it enters, nor behind its beginning, nor beside the face.
+    #[test]
+    fn ways_leave_through_faces_that_look_along_them() {
+        let up = |x: f64| ([x, 0.0, 0.0], [0.0, 1.0, 0.0]);
+        let face = [[3.0, 2.0, 0.0], [0.0, 5.0, 0.0]];
+        let after = |x: f64| left_after(face, up(x));
+        for x in [0.0, 1.0, 2.5, 3.0] {
+            let way = after(x).unwrap();
+            assert!((way - (5.0 - x)).abs() < 1e-12, "{x} {way}");
+        }
+        assert_eq!((after(-0.1), after(3.1)), (None, None));
+        assert_eq!(left_after([face[1], face[0]], up(1.0)), None);
+        assert_eq!(left_after(face, ([1.0, 6.0, 0.0], [0.0, 1.0, 0.0])), None);
+    }
+}
