@@ -76,9 +76,9 @@ impl Contact {
         }
     }
 
-    /// Whether a point that did not touch faces something now through a part: a node the far side of the
-    /// master's; a point that is spread over faces, and faced nothing before, a master further behind these than its own is
-    /// thick.
+    /// Whether a point that did not touch faces something now through a part: a node, which had not sunk in before, the far
+    /// side of the master's; a point that is spread over faces, and faced nothing before, a master further behind these than
+    /// its own is thick.
     fn faces_through_a_part(
         &self,
         place: usize,
@@ -88,7 +88,9 @@ impl Contact {
         let point = &self.points[place];
         let through = || match point.is_spread() {
             true => before.along.is_none() && now.overclosure > self.thicknesses.of_point(place),
-            false => self.is_beyond(point, now),
+            false => {
+                !(before.along.is_some() && before.opening < 0.0) && self.is_beyond(point, now)
+            }
         };
         !before.closed && now.faces && through()
     }
