@@ -7,7 +7,7 @@ use crate::newton::{Scratch, attempt};
 use crate::problem::Problem;
 use crate::state::State;
 use crate::target::Target;
-use slideline_model::{ElementBlock, Extrapolation};
+use slideline_model::ElementBlock;
 
 /// How near a limit is walked up to, as a part of what was to be halved.
 const SHORTEST: f64 = 1.0 / 256.0;
@@ -121,43 +121,17 @@ impl Part {
         Some(Self { from: limit, to: landed, end, dt: 0.0, rest })
     }
 
-    /// Whether nothing that the way leaves behind stands between its ends and a state between them.
-    fn forgets(&self, plan: &Problem<'_>) -> bool {
-        let remembers = plan.model.blocks.iter().any(ElementBlock::remembers);
-        !remembers && is_apart(&self.from) && is_apart(&self.to)
-    }
-
-    /// Its first half. Where the way leaves nothing behind the middle of both ends is the first
-    /// guess of its end, nearer than what the increment before promises; what is found there holds
-    /// only if it is stable: between two ends of a jump stands an equilibrium that is not.
-    fn first_half(&self, plan: &Problem<'_>, aim: &Target, work: &mut Scratch) -> Option<Self> {
-        let goes_on = plan.step.extrapolation != Extrapolation::None;
-        if self.dt > 0.0 && goes_on && self.forgets(plan) {
-            let mut from = work.copy(&self.from);
-            let ends = self.to.displacement.iter().zip(&self.from.displacement);
-            from.increment.iter_mut().zip(ends).for_each(|(way, (to, from))| *way = to - from);
-            from.increment_time = (self.dt, 0.0);
-            let found = Self::solve(plan, &from, aim, self.rest, work);
-            from.copy_from(&self.from);
-            match found {
-                Some(mut found) if work.negative_pivots == 0 => {
-                    work.spare(std::mem::replace(&mut found.from, from));
-                    return Some(found);
-                }
-                found => found.into_iter().for_each(|found| found.spare(work)),
-            }
-            work.spare(from);
-        }
-        Self::solve(plan, &self.from, aim, self.rest, work)
-    }
-
     /// Its second half without a walk: from the end of the first to its own, where nothing that
     /// the way leaves behind stands between them and both halves leave what a smooth path leaves.
     fn known_half(&self, plan: &Problem<'_>, first: &Self, work: &mut Scratch) -> Option<Self> {
         let (middle, end) = (&first.to, &self.to);
+        let forgets = !plan.model.blocks.iter().any(ElementBlock::remembers);
+        let apart = |state: &&State| {
+            state.temperatures.is_empty() && state.points.iter().all(|point| !point.closed)
+        };
         let left = done_between(plan, middle, end) - (kept(end) - kept(middle));
         let smooth = (first.left() + left).abs() <= FALLS * self.left().abs();
-        (smooth && self.forgets(plan) && is_apart(middle)).then(|| {
+        (smooth && forgets && [&self.from, middle, end].iter().all(apart)).then(|| {
             let (from, mut to) = (work.copy(middle), work.copy(end));
             to.books.left = left;
             Self { from, to, end: self.end, dt: first.dt, rest: self.rest }
@@ -174,7 +148,7 @@ impl Part {
     ) -> Option<(Self, f64)> {
         let dt = 0.5 * self.dt;
         let aim = |step_time: f64| Target { step_time, dt, ..*target };
-        let first = self.first_half(plan, &aim(self.end - dt), work)?;
+        let first = Self::solve(plan, &self.from, &aim(self.end - dt), self.rest, work)?;
         let known = self.known_half(plan, &first, work);
         let solved = || Self::solve(plan, &first.to, &aim(self.end), self.rest, work);
         let Some(second) = known.or_else(solved) else {
@@ -204,11 +178,6 @@ impl Part {
         let mut dofs = 0..plan.dofs.len().min(self.from.load.len());
         dofs.any(|dof| change(self, dof).abs() > 0.5 * change(whole, dof).abs())
     }
-}
-
-/// Whether neither contact nor temperature is part of a state.
-fn is_apart(state: &State) -> bool {
-    state.temperatures.is_empty() && state.points.iter().all(|point| !point.closed)
 }
 
 /// Work of loads and supports from one state to another by the trapezoidal rule [F L].
