@@ -232,4 +232,40 @@ mod tests {
             }
         }
     }
+
+    /// Requirement: negative pivots are counted wherever they stand among columns that go together, and a zero one ends it.
+    #[test]
+    fn pivots_are_judged_one_by_one() {
+        let (n, band) = (11, 3);
+        for odd in 0..n {
+            for (diagonal, expected) in [(-20.0, Some(1)), (0.0, None)] {
+                let mut own = BandLdlt::new(n, band);
+                own.clear();
+                for j in 0..n {
+                    for i in j..n.min(j + band + 1) {
+                        let apart = i != j && i.max(j) != odd && i.min(j) != odd;
+                        let value = match i == j {
+                            true => {
+                                if j == odd {
+                                    diagonal
+                                } else {
+                                    entry(j, j)
+                                }
+                            }
+                            false => {
+                                if apart {
+                                    entry(i, j)
+                                } else {
+                                    0.0
+                                }
+                            }
+                        };
+                        own.set(own.place(i, j), value);
+                    }
+                }
+                let pivots = own.factor(|_| 40.0);
+                assert_eq!(pivots.map(|pivots| pivots.negative), expected, "{odd} {diagonal}");
+            }
+        }
+    }
 }

@@ -67,11 +67,14 @@ fn write_digits(letters: &mut [u8], mut number: u64) {
 
 /// Appends a number in `digits` + 7 places; `None`: rounding could decide, or it has other places.
 fn push_quickly(text: &mut String, value: f64, digits: usize) -> Option<()> {
+    if digits == 0 || digits > DIGITS {
+        return None;
+    }
     let (number, power) = match value == 0.0 {
         true => (0, 0),
         false => nearest(value.abs(), digits)?,
     };
-    if digits == 0 || power.abs() > 99 {
+    if power.abs() > 99 {
         return None;
     }
     let mut letters = [b' '; LETTERS];

@@ -16,6 +16,9 @@ use super::equations::{add, solve};
 use crate::draft::Draft;
 use crate::rule::Subject;
 
+/// Lever of a reference node that stands in the centre of its cloud, over its place: rounding [1].
+const ROUNDING: f64 = 1e-9;
+
 /// What of a cloud its reference node follows.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Mean {
@@ -62,7 +65,7 @@ pub(super) fn distribute(
         draft.consequence(Subject::Links, error.help("leave some nodes of its surface free"));
         return;
     };
-    if mean == Mean::Motion {
+    if mean == Mean::Motion && about.sees_turns(reference, &wanted, draft) {
         let turns = cloud.iter().map(|&own| (own.0, about.turns(own, draft))).collect();
         draft.model.mean_motions.push(MeanMotion { reference, turns, origin });
     }
@@ -98,6 +101,13 @@ impl Cloud {
             own.inverse = inertia(arms, axes(draft))?;
         }
         Some(own)
+    }
+
+    /// Whether what of the reference node follows depends on the turn: a rotation, or a displacement away from the centre.
+    fn sees_turns(&self, reference: NodeIndex, wanted: &[Dof], draft: &Draft) -> bool {
+        let lever = self.arm(reference, draft).map(f64::abs).into_iter().fold(0.0, f64::max);
+        let place = self.centre.map(f64::abs).into_iter().fold(lever, f64::max);
+        wanted.iter().any(|dof| dof.is_rotation()) || lever > ROUNDING * place
     }
 
     fn arm(&self, node: NodeIndex, draft: &Draft) -> [f64; 3] {

@@ -42,11 +42,14 @@ impl Observer for Watch {
     }
 }
 
+fn deck() -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../corpus/run/SL0623-turned.inp");
+    std::fs::read_to_string(path).unwrap()
+}
+
 /// The deck of `corpus/run` with a moment, as it lies there or standing, of large motion or small.
 fn run(moment: f64, stands: bool, kinematics: &str) -> Watch {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../corpus/run/SL0623-turned.inp");
-    let deck = std::fs::read_to_string(path).unwrap();
-    let mut deck = deck
+    let mut deck = deck()
         .replace("100, 6, 40.", &format!("100, 6, {moment}"))
         .replace("*STEP, NLGEOM", &format!("*STEP, NLGEOM={kinematics}"));
     if stands {
@@ -61,7 +64,11 @@ fn run(moment: f64, stands: bool, kinematics: &str) -> Watch {
             deck = deck.replace(&format!("\n{lying}\n"), &format!("\n{standing}\n"));
         }
     }
-    let read = Job::read_text("deck", &deck, &ReadOptions::default());
+    run_deck(&deck)
+}
+
+fn run_deck(deck: &str) -> Watch {
+    let read = Job::read_text("deck", deck, &ReadOptions::default());
     let mut watch = Watch::default();
     let ending = solve(&read.model.unwrap(), &SolveOptions::default(), &mut watch);
     assert!(matches!(ending, Ending::Completed(_)), "{ending:?}");
@@ -82,4 +89,13 @@ fn a_mean_that_turned_far_is_told() {
     let near = run(10.0, false, "YES");
     assert!(near.turn < 0.1 && !near.said.contains(&"SL0623"), "{} {:?}", near.turn, near.said);
     assert!(!run(40.0, false, "NO").said.contains(&"SL0623"));
+    // the mean displacement of the centre is exact for any turn
+    let centre = |deck: &str| {
+        deck.replace("*DISTRIBUTING\n1, 6\n", "*DISTRIBUTING\n1, 2\n")
+            .replace("100, 6, 40.", "100, 2, 1.")
+    };
+    let pushed = run_deck(&centre(&deck()));
+    assert!(pushed.turn > 0.25 && !pushed.said.contains(&"SL0623"), "{}", pushed.turn);
+    let aside = run_deck(&centre(&deck()).replace("100, 80., 2.", "100, 80., 9."));
+    assert!(aside.turn > 0.25 && aside.said.contains(&"SL0623"), "{}", aside.turn);
 }

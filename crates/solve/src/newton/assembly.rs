@@ -3,7 +3,6 @@
 use super::multipliers::context;
 use super::scratch::{Scratch, solver};
 use crate::contact::{SEGMENT_POINTS, SlavePoint};
-use crate::evaluate::evaluate_tangent;
 use crate::linearised::{Augmentation, LinearPoint, LinearRows, Sliding, Stiffness};
 use crate::moments;
 use crate::problem::Problem;
@@ -198,7 +197,7 @@ impl Scratch {
     /// multipliers may move while the elements stay.
     fn take_tangents(&mut self, plan: &Problem<'_>, committed: &State) {
         if self.tangent_is_behind || self.evaluation.tangent.is_empty() {
-            self.evaluate_by(plan, committed, self.dt, evaluate_tangent);
+            self.evaluate_tangents(plan, committed, self.dt);
         }
         if !plan.contact.points.is_empty() {
             return self.values.copy_from_slice(&self.evaluation.tangent);

@@ -98,6 +98,9 @@ impl Scratch {
         self.stand();
         for round in 0.. {
             self.linear_step(plan, committed, dt)?;
+            if self.evaluation.failed.is_some() {
+                return Ok(()); // the tangent, which was left until now
+            }
             if self.outside() || !self.wakes_idle(plan) {
                 break;
             }

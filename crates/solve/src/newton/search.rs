@@ -12,7 +12,7 @@
 
 use super::relaxation::Estimates;
 use super::scratch::Scratch;
-use crate::evaluate::{evaluate_forces, evaluate_tangent};
+use crate::evaluate::evaluate_forces;
 use crate::problem::Problem;
 use crate::state::State;
 use slideline_model::TimeIncrementation;
@@ -56,7 +56,7 @@ impl Scratch {
                 best = (now, taken);
             }
             if now <= before * (1.0 - GAIN * fraction) {
-                return self.evaluate_by(plan, committed, dt, evaluate_tangent);
+                return self.evaluate_tangents(plan, committed, dt);
             }
         }
         if best.1 != taken {
@@ -64,7 +64,7 @@ impl Scratch {
             self.advance(plan, best.1);
             return self.evaluate(plan, committed, dt);
         }
-        self.evaluate_by(plan, committed, dt, evaluate_tangent);
+        self.evaluate_tangents(plan, committed, dt);
     }
 
     /// Goes back to displacements with their estimates.

@@ -1,7 +1,7 @@
 //! The trial state of an attempt, evaluated.
 
 use super::scratch::Scratch;
-use crate::evaluate::{Evaluation, Trial, complete, evaluate, evaluate_forces};
+use crate::evaluate::{Evaluation, Trial, complete, evaluate, evaluate_forces, evaluate_tangent};
 use crate::problem::Problem;
 use crate::state::State;
 use crate::structure::Ambient;
@@ -35,6 +35,13 @@ impl Scratch {
             self.follow_law(plan);
         }
         self.evaluate_by(plan, committed, dt, evaluate);
+        self.tangent_is_behind = false;
+    }
+
+    /// Makes the tangents of the elements of a trial state whose forces are known.
+    pub(super) fn evaluate_tangents(&mut self, plan: &Problem<'_>, committed: &State, dt: f64) {
+        self.evaluate_by(plan, committed, dt, evaluate_tangent);
+        self.tangent_is_behind = false;
     }
 
     /// Evaluates the trial state but for the tangents of the elements, which the next iteration
@@ -46,10 +53,9 @@ impl Scratch {
         dt: f64,
     ) {
         self.evaluate_by(plan, committed, dt, evaluate_forces);
-        self.tangent_is_behind = true;
     }
 
-    /// Evaluates the trial state as it is, or a part of it.
+    /// Evaluates the trial state as it is, or a part of it; the tangents count as those of another state.
     pub(super) fn evaluate_by(
         &mut self,
         plan: &Problem<'_>,
@@ -58,7 +64,7 @@ impl Scratch {
         evaluate: fn(&Problem<'_>, &State, &Trial<'_>, &mut Evaluation),
     ) {
         self.give_back();
-        self.tangent_is_behind = false;
+        self.tangent_is_behind = true;
         self.write_evaluation(|work, into| {
             evaluate(plan, committed, &work.trial(committed, dt), into)
         });

@@ -36,7 +36,7 @@ impl Analysis<'_> {
             }
             self.turned_means.push(place);
             let message = format!(
-                "the nodes of the *DISTRIBUTING coupling of node {} have turned by {:.0} degrees at total time {:.6}: \
+                "the nodes of the *DISTRIBUTING coupling of node {} have turned by about {:.0} degrees at total time {:.6}: \
                  the coupling is that of small turns, its moments are wrong by about {:.1} % there",
                 plan.model.nodes.name(mean.reference),
                 turn.to_degrees(),

@@ -7,7 +7,7 @@
 //!
 //! docs/theory.md section 5.6. (derived)
 
-use super::chain::{Candidate, Chain, Piece, PieceKind};
+use super::chain::{Candidate, Chain, Piece, PieceKind, flat};
 use super::faces::{RIDGE, SEAM};
 use super::rigid::{Facing, Part, RigidSegment};
 use super::{Point, cross, dot, project_line, sub};
@@ -31,8 +31,24 @@ impl Chain {
         let part = own.find(|&part| self.is_ridge(positions, part.max(found.index)))?;
         let [own, nearest] = [part, found.index].map(|part| self.along(positions, point, part));
         let (own, nearest) = (own?, nearest?);
+        let parameter = nearest.piece.parameter;
+        // in the wedge before the ridge both sides are prolonged; beside it the other one is not there
+        let in_wedge = if part < found.index { parameter < 0.0 } else { parameter > 1.0 };
+        if !in_wedge && !self.is_behind(positions, point, &nearest.piece) {
+            return None;
+        }
         let side = self.slave.min(self.reference_length(part));
         (own.distance - nearest.distance <= RIDGE * side).then_some(own.piece)
+    }
+
+    /// Whether a point stands in the material behind a segment, or the curve in its place.
+    fn is_behind(&self, positions: &[[f64; 3]], point: Point, piece: &Piece) -> bool {
+        let [from, to] = [0, 1].map(|next| flat(positions[piece.index + next]));
+        let (at, along) = match self.curve(piece.index) {
+            Some(curve) => curve.place(positions, piece.parameter),
+            None => (from, sub(to, from)),
+        };
+        cross(along, sub(point, at)) <= 0.0
     }
 
     /// Whether the line turns away at a node between its ends, and neither a curve nor a corner goes round there.
@@ -110,7 +126,6 @@ impl Profile<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::search::chain::flat;
     use crate::contact::search::nearest::Nearby;
     use crate::contact::search::rigid::closest_on;
 
@@ -121,8 +136,8 @@ mod tests {
         [found.index, kept(0), kept(1)]
     }
 
-    /// Requirement: a point in the material below a ridge keeps its side until it is nearer to the other one by the
-    /// fiftieth of a tenth of a slave face; in a valley, and without a side, the nearest is met.
+    /// Requirement: a point in the material below a ridge keeps its side until it is nearer to the other one by 0.005
+    /// of a slave face; in a valley, and without a side, the nearest is met.
     #[test]
     fn a_point_at_a_ridge_keeps_its_side() {
         let ridge = [[-3.0, -4.0, 0.0], [0.0; 3], [3.0, -4.0, 0.0]];
@@ -175,15 +190,39 @@ mod tests {
         assert!(profile.kept([1e-12, 1.0], (&found, 0)).is_none());
     }
 
-    /// Requirement: what was kept beside a ridge is the straight line of its segment, prolonged.
+    /// Requirement: the corner at which a closed surface begins is one as any other.
+    #[test]
+    fn a_closed_surface_has_no_first_corner() {
+        let corners = [[0.0; 2], [3.0, -4.0], [-3.0, -4.0]];
+        let segments =
+            [0, 1, 2].map(|k| RigidSegment::Line { a: corners[k], b: corners[(k + 1) % 3] });
+        let kept = |closed: bool, x: f64, before| {
+            let found = closest_on(&segments, closed, [x, -0.01]).unwrap();
+            Profile { segments: &segments, closed, slave: 1.0 }
+                .kept([x, -0.01], (&found, before))
+                .unwrap_or(found)
+                .segment
+        };
+        assert_eq!([kept(true, 1e-12, 2), kept(true, -1e-12, 0)], [2, 0]);
+        assert_eq!([kept(false, 1e-12, 2), kept(false, -1e-12, 0)], [0, 2]);
+    }
+
+    /// Requirement: what was kept beside a ridge is the straight line of its segment, prolonged; a point that stands free
+    /// in front of the other side is not kept below that line.
     #[test]
     fn what_is_kept_goes_on() {
-        let ridge = [[-3.0, -4.0, 0.0], [0.0; 3], [3.0, -4.0, 0.0]];
-        let chain = Chain::of_lengths([5.0; 2].into_iter(), 0.0, 0.1).unwrap();
-        let at = [0.02, -0.01, 0.0];
-        let found = chain.closest(&ridge, Nearby::Positions, at).unwrap();
-        let kept = chain.kept(&ridge, flat(at), (&found, 0)).unwrap();
-        assert_eq!((kept.index, kept.kind), (0, PieceKind::Straight));
-        assert!((kept.parameter - (1.0 + (0.6 * 0.02 - 0.8 * 0.01) / 5.0)).abs() < 1e-12);
+        let flat_ridge = [[-4.0, -1.0, 0.0], [0.0; 3], [4.0, -1.0, 0.0]];
+        let chain = Chain::new(&flat_ridge, Some(0.0), 0.1).unwrap();
+        let at = [0.04, -0.0105, 0.0];
+        let found = chain.closest(&flat_ridge, Nearby::Positions, at).unwrap();
+        let kept = chain.kept(&flat_ridge, flat(at), (&found, 0)).unwrap();
+        assert_eq!((found.index, kept.index, kept.kind), (1, 0, PieceKind::Straight));
+        assert!((kept.parameter - (1.0 + (4.0 * 0.04 - 0.0105) / 17.0)).abs() < 1e-12);
+        let free = [0.04, -0.0095, 0.0];
+        let found = chain.closest(&flat_ridge, Nearby::Positions, free).unwrap();
+        assert!(chain.kept(&flat_ridge, flat(free), (&found, 0)).is_none());
+        let wedge = [1e-12, 0.01, 0.0];
+        let found = chain.closest(&flat_ridge, Nearby::Positions, wedge).unwrap();
+        assert!(chain.kept(&flat_ridge, flat(wedge), (&found, 1 - found.index)).is_some());
     }
 }

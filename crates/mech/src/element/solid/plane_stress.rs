@@ -83,7 +83,9 @@ fn condensed(mut answer: Answer) -> Answer {
     for k in PLANE {
         let part = answer.moduli[k][2] / across[2];
         PLANE.iter().for_each(|&l| answer.moduli[k][l] -= part * across[l]);
+        answer.moduli[k][2] = 0.0;
     }
+    answer.moduli[2].fill(0.0);
     answer.stress[2] = 0.0;
     answer
 }
