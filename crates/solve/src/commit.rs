@@ -120,8 +120,10 @@ pub fn locate_points(
 ) {
     contact.locate((&committed.displacement, Before::of(committed)), &[], positions, kinematics);
     match before {
-        Some(before) => contact.stay_behind(before, &committed.points, kinematics),
-        None => contact.stay_outside(kinematics),
+        Some(before) => {
+            contact.stay_behind(before, (&committed.points, &committed.displacement), kinematics);
+        }
+        None => contact.stay_outside(&committed.displacement, kinematics),
     }
     for (point, kinematics) in committed.points.iter_mut().zip(kinematics.points()) {
         (point.opening, point.allowed) = (-kinematics.overclosure, kinematics.allowed);

@@ -10,10 +10,14 @@ use slideline_mech::contact::gap::offset::Offset;
 use slideline_mech::contact::search::chain::PieceKind;
 use slideline_mech::contact::search::pass::cross_faces;
 use slideline_mech::contact::search::sweep::{cross_chain, cross_parts};
+use slideline_mech::vector::{dot, size};
 use slideline_model::Presence;
 
 /// Parts of a segment whose ends are held against another body.
 const OUTLINE: usize = 64;
+
+/// Cosine of the angle between normals from which on a face looks past another one [1]: of half a right angle.
+const ASIDE: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 /// Whether a slave node that faced nothing before lies behind what it faces now.
 fn stands_behind(
@@ -26,8 +30,7 @@ fn stands_behind(
 }
 
 impl Contact {
-    /// Turns nodes away that begin behind the part of their master, further than it is thick there: they stand on its
-    /// other side, not in it. Where all that a pair faces does, the master looks the wrong way, which is said elsewhere.
+    /// Turns nodes away that begin behind the part of their master and look past it ([`Contact::is_beyond`]).
     ///
     /// ```text
     ///     --+------+ top        the node stands below the part, beyond the end of its bore, and
@@ -35,26 +38,28 @@ impl Contact {
     ///       +------+
     ///          x
     /// ```
-    pub fn stay_outside(&self, kinematics: &mut ContactKinematics) {
-        for pair in 0..self.own_pairs() {
-            let own = self.points.iter().enumerate().filter(|(_, point)| point.pair == pair);
-            let (mut behind, mut others) = (Vec::new(), false);
-            for (place, point) in own {
-                let now = &kinematics.points()[place];
-                match self.is_beyond(point, now) {
-                    true => behind.push(place),
-                    false => others |= now.faces,
-                }
-            }
-            if others {
-                behind.into_iter().for_each(|place| kinematics.at_mut(place).turn_away_in_place());
+    pub fn stay_outside(&self, u: &[f64], kinematics: &mut ContactKinematics) {
+        for (place, point) in self.points.iter().enumerate() {
+            if self.is_beyond(point, &kinematics.points()[place], u) {
+                kinematics.at_mut(place).turn_away_in_place();
             }
         }
     }
 
-    /// Whether a node stands further behind what it faces than the part there is thick: on its other side.
-    fn is_beyond(&self, point: &SlavePoint, now: &PointKinematics) -> bool {
-        point.is_node() && now.overclosure > self.thickness_at(point.pair, now)
+    /// Whether a node is on the other side of the part that it faces: further behind than that is thick, and none of its own
+    /// faces looks at what it faces or along with it. One that is as deep and looks at it has sunk in through the part; where
+    /// all look along with it, the master looks the wrong way. Both are said elsewhere.
+    fn is_beyond(&self, point: &SlavePoint, now: &PointKinematics, u: &[f64]) -> bool {
+        let depth = now.overclosure + now.allowed - self.offsets[point.pair].both();
+        let is_aside = |&face: &usize| {
+            let own = self.slave_faces[face].stands(u).0;
+            dot(own, now.normal).abs() < ASIDE * size(own)
+        };
+        point.is_node()
+            && now.faces
+            && depth > self.thickness_at(point.pair, now)
+            && !point.faces.is_empty()
+            && point.faces.iter().all(is_aside)
     }
 
     /// How thick the part of a master is behind what a point faces of it [L].
@@ -83,14 +88,13 @@ impl Contact {
         &self,
         place: usize,
         before: &PointState,
-        now: &PointKinematics,
+        (now, u): (&PointKinematics, &[f64]),
     ) -> bool {
         let point = &self.points[place];
+        let had_sunk_in = before.along.is_some() && before.allowed - before.opening > 0.0;
         let through = || match point.is_spread() {
             true => before.along.is_none() && now.overclosure > self.thicknesses.of_point(place),
-            false => {
-                !(before.along.is_some() && before.opening < 0.0) && self.is_beyond(point, now)
-            }
+            false => !had_sunk_in && self.is_beyond(point, now, u),
         };
         !before.closed && now.faces && through()
     }
@@ -155,7 +159,7 @@ impl Contact {
         for (place, point) in self.points.iter().enumerate() {
             let now = kinematics.points()[place];
             if stands_behind((point, self.offsets[point.pair]), &before[place], &now)
-                || self.faces_through_a_part(place, &before[place], &now)
+                || self.faces_through_a_part(place, &before[place], (&now, u))
             {
                 let start = self.slave(point, 0.0, from).position;
                 if !self.enters(point, (start, now.position), (from, u)) {
@@ -170,7 +174,7 @@ impl Contact {
     pub fn stay_behind(
         &self,
         presence: &Presence,
-        before: &[PointState],
+        (before, u): (&[PointState], &[f64]),
         kinematics: &mut ContactKinematics,
     ) {
         for (place, point) in self.points.iter().enumerate() {
@@ -178,7 +182,7 @@ impl Contact {
             let own = (point, self.offsets[point.pair]);
             if presence.has_pair(self.parent(point.pair))
                 && (stands_behind(own, &before[place], &now)
-                    || self.faces_through_a_part(place, &before[place], &now))
+                    || self.faces_through_a_part(place, &before[place], (&now, u)))
             {
                 kinematics.at_mut(place).turn_away_in_place();
             }

@@ -294,7 +294,9 @@ impl Itself {
             return false;
         }
         let height = cross(tangent, sub(point, foot));
-        height >= 0.0 || found.distance <= self.most_sunk(seat, part)
+        height >= 0.0
+            || (found.distance <= SUNK * self.thickness[part]
+                && found.distance <= self.most_sunk(seat, part))
     }
 
     /// How deep the node at a seat may stand behind a segment [L]: where the way there led through their own
@@ -309,12 +311,14 @@ impl Itself {
         }
     }
 
-    /// Whether the way from the node at a seat to the middle of a segment led into the part at the start, and
-    /// out of it there.
+    /// Whether the way from the node at a seat to the middle of a segment of the same line led into the part at the
+    /// start, and out of it there.
     fn leads_through(&self, seat: usize, part: usize) -> bool {
         let (from, a, b) = (self.reference[seat], self.reference[part], self.reference[part + 1]);
         let way = sub([0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])], from);
-        self.leads_in(seat, way) && cross(sub(b, a), way) > 0.0
+        let line =
+            |span: &Span| [seat, part].iter().all(|own| (span.first..=span.last + 1).contains(own));
+        self.spans.iter().any(line) && self.leads_in(seat, way) && cross(sub(b, a), way) > 0.0
     }
 
     /// Depth of the part behind the faces of a seat that look at a segment, undeformed, of both where
