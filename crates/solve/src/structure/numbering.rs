@@ -135,27 +135,20 @@ impl ElementNumbering {
     ) -> Vec<u32> {
         let mut entries = vec![u32::MAX; self.entries];
         let mut later = dependent;
-        let (mut columns, mut places) = (Vec::new(), Vec::new());
         for (block, element, own) in self.elements() {
             if let Some(rest) = later.strip_prefix(&[element]) {
                 later = rest;
                 continue;
             }
-            columns.clear();
-            columns.extend(own.iter().map(|&dof| constraints.equation(dof)));
+            let columns = own.iter().map(|&dof| constraints.equation(dof));
             let rows = entries[block.entries(element)].chunks_exact_mut(own.len().max(1));
-            let mut before: &[usize] = &[];
-            for (entries, row) in rows.zip(&columns) {
-                let Some(row) = *row else { continue };
-                // the dofs of a node have the same columns
-                if pattern.row(row) != before {
-                    before = pattern.row(row);
-                    find_places(before, &columns, &mut places);
-                }
-                let start = pattern.row_start()[row];
-                for (entry, place) in entries.iter_mut().zip(&places) {
-                    let at = place.and_then(|place| u32::try_from(start + place).ok());
-                    *entry = at.unwrap_or(u32::MAX);
+            for (entries, row) in rows.zip(columns.clone()) {
+                let Some(row) = row else { continue };
+                let mut next = usize::MAX;
+                for (entry, column) in entries.iter_mut().zip(columns.clone()) {
+                    let at =
+                        column.and_then(|column| pattern.position_at((row, column), &mut next));
+                    *entry = at.and_then(|at| u32::try_from(at).ok()).unwrap_or(u32::MAX);
                 }
             }
         }
@@ -169,20 +162,6 @@ impl ElementNumbering {
             touched[dof] = true;
         }
         touched
-    }
-}
-
-/// Where columns stand in a row of a pattern; those of a node follow one another there.
-fn find_places(row: &[usize], columns: &[Option<usize>], places: &mut Vec<Option<usize>>) {
-    places.clear();
-    let mut next = 0;
-    for column in columns {
-        let place = column.and_then(|column| match row.get(next) == Some(&column) {
-            true => Some(next),
-            false => row.binary_search(&column).ok(),
-        });
-        next = place.map_or(next, |place| place + 1);
-        places.push(place);
     }
 }
 
