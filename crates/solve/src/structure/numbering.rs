@@ -4,6 +4,7 @@ use super::block::Block;
 use crate::constraints::ConstraintNumbering;
 use crate::dofs::DofMap;
 use slideline_linalg::Pattern;
+use slideline_mech::element::MOST_VARIABLES;
 use slideline_model::{Element, ElementBlock, Model, NodeIndex, Undeformed};
 
 /// Where the elements of a model stand and which dofs they have: what a plan holds of
@@ -142,12 +143,21 @@ impl ElementNumbering {
             }
             let columns = own.iter().map(|&dof| constraints.equation(dof));
             let rows = entries[block.entries(element)].chunks_exact_mut(own.len().max(1));
+            let (mut before, mut places): (&[usize], _) = (&[], [usize::MAX; MOST_VARIABLES]);
             for (entries, row) in rows.zip(columns.clone()) {
                 let Some(row) = row else { continue };
-                let mut next = usize::MAX;
-                for (entry, column) in entries.iter_mut().zip(columns.clone()) {
-                    let at =
-                        column.and_then(|column| pattern.position_at((row, column), &mut next));
+                let start = pattern.row_start()[row];
+                // the dofs of a node have the same columns
+                if pattern.row(row) != before {
+                    before = pattern.row(row);
+                    let mut next = usize::MAX;
+                    for (place, column) in places.iter_mut().zip(columns.clone()) {
+                        let at = column.and_then(|j| pattern.position_at((row, j), &mut next));
+                        *place = at.map_or(usize::MAX, |at| at - start);
+                    }
+                }
+                for (entry, &place) in entries.iter_mut().zip(&places) {
+                    let at = if place == usize::MAX { None } else { Some(start + place) };
                     *entry = at.and_then(|at| u32::try_from(at).ok()).unwrap_or(u32::MAX);
                 }
             }
