@@ -115,13 +115,17 @@ impl Cloud {
         std::array::from_fn(|k| at[k] - self.centre[k])
     }
 
+    /// Rotation of the cloud by a weighted displacement of a node.
+    fn turn(&self, node: NodeIndex, moved: [f64; 3], draft: &Draft) -> [f64; 3] {
+        times(&self.inverse, cross(self.arm(node, draft), moved))
+    }
+
     /// Rotation of the cloud by the displacement of a node along the axes of the model, a row a direction of it [1/L].
     fn turns(&self, (node, weight): (NodeIndex, f64), draft: &Draft) -> [[f64; 3]; 3] {
-        let arm = self.arm(node, draft);
         let by = [0, 1, 2].map(|axis| {
             let mut moved = [0.0; 3];
             moved[axis] = weight;
-            times(&self.inverse, cross(arm, moved))
+            self.turn(node, moved, draft)
         });
         std::array::from_fn(|row| [0, 1, 2].map(|axis| by[axis][row]))
     }
@@ -142,9 +146,8 @@ impl Cloud {
             let seen = draft.direction(reference, dof);
             for &(node, weight) in cloud {
                 for &axis in &Dof::ALL[..axes(draft)] {
-                    // rotation of the cloud by a unit displacement of this node along the axis
                     let moved = draft.direction(node, axis).map(|part| weight * part);
-                    let turn = times(&self.inverse, cross(self.arm(node, draft), moved));
+                    let turn = self.turn(node, moved, draft);
                     row.push(match dof.is_rotation() {
                         true => dot(seen, turn),
                         false => dot(seen, moved) / self.total + dot(seen, cross(turn, lever)),

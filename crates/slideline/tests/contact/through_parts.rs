@@ -103,21 +103,34 @@ fn a_strip_does_not_face_through_itself() {
     assert_eq!((closed, unseen), (0.0, 0.0), "{row:?}");
 }
 
-/// Requirement: a block that begins deeper in a thin plate than that is thick, all of its nodes, is pressed out as the advice
-/// says (SL0402); it does not stay in the plate as if nothing touched.
+/// Requirement: a block that begins deeper in a thin plate than that is thick, by all of its nodes or, tilted, by some, is
+/// pressed out as the advice says (SL0402); no node stays in the plate as if nothing touched.
 #[test]
 fn what_begins_deeper_than_a_part_is_thick_is_pressed_out() {
     let [plate, of_plate] =
         grid(1, &[-2.0, -1.5, -1.0, -0.5, 0.0, 0.5, 1.0, 1.5, 2.0], &[0.0, 0.2]);
     let [block, of_block] = grid(101, &[-1.0, -0.5, 0.0, 0.5, 1.0], &[-0.1, 0.4, 0.9]);
+    let placed = |[lift, tilt]: [f64; 2]| -> String {
+        let line = |line: &str| {
+            let [label, x, y] =
+                [0, 1, 2].map(|k| line.split(", ").nth(k).unwrap().parse::<f64>().unwrap());
+            format!("{label}, {x:?}, {:?}\n", y + lift + tilt * x)
+        };
+        block.lines().map(line).collect()
+    };
     let deck = format!(
-        "*HEADING\nblock\n*NODE\n{plate}{block}*ELEMENT, TYPE=CPS4, ELSET=A\n{of_plate}{of_block}{MATERIAL}\
+        "*HEADING\nblock\n*NODE\n{plate}BLOCK*ELEMENT, TYPE=CPS4, ELSET=A\n{of_plate}{of_block}{MATERIAL}\
          *SURFACE, NAME=PLATE\n1, S3\n2, S3\n3, S3\n4, S3\n5, S3\n6, S3\n7, S3\n8, S3\n\
          *SURFACE, NAME=BLOCK\n101, S1\n102, S1\n103, S1\n104, S1\n\
          *CONTACT PAIR, INTERACTION=I, TYPE=NODE TO SURFACE\nBLOCK, PLATE\n\
          *NSET, NSET=LOW, GENERATE\n1, 9, 1\n*NSET, NSET=TOP, GENERATE\n111, 115, 1\n\
          *BOUNDARY\nLOW, 1, 2\nTOP, 1, 2\n*STEP, NLGEOM\n*STATIC\n1., 1.\n*END STEP\n"
     );
-    let row = last_row("block_in_plate", &deck);
-    assert_eq!(row[4], "5");
+    for (name, at) in [("block_in_plate", [0.0; 2]), ("tilted_block_in_plate", [0.1, 0.05])] {
+        let deck = deck.replacen("BLOCK", &placed(at), 1);
+        let read = Job::read_text("part", &deck, &ReadOptions::default());
+        let said = slideline::advise(&read);
+        assert!(said.iter().any(|own| own.code.0 == "SL0402"), "{name}: {said:?}");
+        assert_eq!(last_row(name, &deck)[4], "5", "{name}");
+    }
 }

@@ -7,7 +7,6 @@ use super::pairs::{Contact, SlavePoint};
 use super::positions::distance;
 use crate::state::PointState;
 use slideline_mech::contact::gap::offset::Offset;
-use slideline_mech::contact::search::chain::PieceKind;
 use slideline_mech::contact::search::pass::cross_faces;
 use slideline_mech::contact::search::sweep::{cross_chain, cross_parts};
 use slideline_mech::vector::{dot, size};
@@ -69,16 +68,9 @@ impl Contact {
         else {
             return f64::INFINITY;
         };
-        let of =
-            |part: usize| self.thicknesses.of_master(pair, beyond.own_segment(part, nodes.len()));
-        match piece.kind {
-            PieceKind::Straight | PieceKind::Curve { .. } => of(piece.index),
-            PieceKind::Corner | PieceKind::Nose { .. } => {
-                let before = piece.index.checked_sub(1);
-                let last = nodes.len().saturating_sub(2);
-                before.into_iter().chain([piece.index.min(last)]).map(of).fold(0.0, f64::max)
-            }
-        }
+        let last = nodes.len().saturating_sub(2);
+        let own = piece.segments().map(|part| beyond.own_segment(part.min(last), nodes.len()));
+        own.map(|part| self.thicknesses.of_master(pair, part)).fold(0.0, f64::max)
     }
 
     /// Whether a point that did not touch faces something now through a part: a node, which had not sunk in before, the far

@@ -14,7 +14,6 @@ use super::master::MasterSurface;
 use super::mortar::curves::curves;
 use super::mortar::slave::{ApartFaces, Control, Mortar};
 use super::pairs::{Apart, Contact, SlavePoint};
-use slideline_mech::contact::search::chain::PieceKind;
 use slideline_model::{FacesByNodes, LeftOut, Master, Model, NodeIndex};
 
 impl Contact {
@@ -73,16 +72,7 @@ impl Contact {
         match facing {
             Facing::Surface(_) | Facing::Edges(_) => false,
             Facing::Face(place) => self.leaves_out(point, place.face),
-            Facing::Piece(piece) => match piece.kind {
-                PieceKind::Straight | PieceKind::Curve { .. } => {
-                    self.leaves_out(point, piece.index)
-                }
-                PieceKind::Corner | PieceKind::Nose { .. } => {
-                    let before = piece.index.checked_sub(1);
-                    let of_both = before.into_iter().chain([piece.index]);
-                    of_both.into_iter().any(|part| self.leaves_out(point, part))
-                }
-            },
+            Facing::Piece(piece) => piece.segments().any(|part| self.leaves_out(point, part)),
         }
     }
 

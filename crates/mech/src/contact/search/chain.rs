@@ -82,6 +82,15 @@ impl Piece {
             }
         }
     }
+
+    /// The segments that it is of: both that a corner joins.
+    pub fn segments(&self) -> impl Iterator<Item = usize> {
+        let before = match self.kind {
+            PieceKind::Straight | PieceKind::Curve { .. } => None,
+            PieceKind::Corner | PieceKind::Nose { .. } => self.index.checked_sub(1),
+        };
+        before.into_iter().chain([self.index])
+    }
 }
 
 /// The undeformed chain.

@@ -294,21 +294,17 @@ impl Itself {
             return false;
         }
         let height = cross(tangent, sub(point, foot));
-        height >= 0.0
-            || (found.distance <= SUNK * self.thickness[part]
-                && found.distance <= self.most_sunk(seat, part))
+        height >= 0.0 || self.has_sunk_in(seat, (part, found.distance))
     }
 
-    /// How deep the node at a seat may stand behind a segment [L]: where the way there led through their own
-    /// part at the start, as from the side of a strip to its end, no deeper than either side is thick.
-    fn most_sunk(&self, seat: usize, part: usize) -> f64 {
-        match self.is_inside(seat, part) {
-            true => f64::NEG_INFINITY,
-            false if self.leads_through(seat, part) => {
-                SUNK * self.thickness_towards(seat, part).min(self.thickness[part])
-            }
-            false => SUNK * self.thickness[part],
-        }
+    /// Whether the node at a seat that is so deep behind a segment [L] has sunk in there: not from inside their own part;
+    /// where the way there led through that at the start, as from the side of a strip to its end, no deeper than
+    /// either side is thick.
+    fn has_sunk_in(&self, seat: usize, (part, depth): (usize, f64)) -> bool {
+        depth <= SUNK * self.thickness[part]
+            && !self.is_inside(seat, part)
+            && (depth <= SUNK * self.thickness_towards(seat, part)
+                || !self.leads_through(seat, part))
     }
 
     /// Whether the way from the node at a seat to the middle of a segment of the same line led into the part at the
