@@ -141,18 +141,18 @@ impl LinearisedContact {
             let local = stiffness.local(&points.at(place));
             let next = self.rows.get(i + 1).and_then(Row::point);
             // where it slides in space, nothing stiffens it along its way
-            let along = |direction: usize| slope(&work.slopes[i + 1 + direction], direction);
-            let sticks = |direction: usize| work.slopes[i + 1 + direction].by_multiplier[direction];
+            let along = |direction: usize| slope(&work.laws.rows[i + 1 + direction], direction);
+            let sticks = |direction: usize| work.laws.rows[i + 1 + direction].by_multiplier[direction];
             let tangential = match next == Some((place, Kind::Tangential(0))) {
                 true => (0..points.directions())
                     .min_by(|&a, &b| sticks(a).total_cmp(&sticks(b)))
                     .map_or(0.0, |least| within(along(least), local.tangential, 0.0)),
                 false => 0.0,
             };
-            let normal = within(slope(&work.slopes[i], 0), local.normal, 0.0);
+            let normal = within(slope(&work.laws.rows[i], 0), local.normal, 0.0);
             wanted.push((place, Augmentation { normal, tangential }));
         }
-        for (integration_point, answer) in self.integration_points.iter().zip(&work.answers) {
+        for (integration_point, answer) in self.integration_points.iter().zip(&work.laws.points) {
             let point = points.at(integration_point.point);
             let (local, augmentation) = (stiffness.local(&point), point.augmentation());
             let by_slip = |direction| answer.tangential_by_slip.at(direction, direction);

@@ -1,9 +1,9 @@
 //! Products with the compliance of contact, without forming it.
 
 use super::augmentation::Stiffness;
-use super::laws::PointAnswer;
+use super::laws::LawAnswers;
 use super::points::LinearPoints;
-use super::rows::{Row, RowSlopes, Unknown};
+use super::rows::{Row, Unknown};
 use slideline_linalg::SolveError;
 use slideline_linalg::krylov;
 
@@ -24,8 +24,7 @@ pub(super) struct MatrixFree {
     pub(super) yielded: Vec<f64>,
     pub(super) trial: [Vec<f64>; 2],
     pub(super) scaled: Vec<f64>,
-    pub(super) slopes: Vec<RowSlopes>,
-    pub(super) answers: Vec<PointAnswer>,
+    pub(super) laws: LawAnswers,
     pub(super) krylov: krylov::Workspace,
     /// Forces on all equations that no multiplier balances, and what the factors make of them.
     pub(super) pushed: Vec<f64>,
@@ -51,8 +50,7 @@ impl MatrixFree {
         for vector in vectors {
             vector.resize(rows, 0.0);
         }
-        self.slopes.resize(rows, RowSlopes::default());
-        self.answers.resize(integration_points, PointAnswer::default());
+        self.laws.make_room(rows, integration_points);
     }
 
     /// K_s^-1 of the right-hand side, with the factors at hand.

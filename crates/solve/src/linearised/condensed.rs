@@ -4,7 +4,7 @@
 use super::compliance::MatrixFree;
 use super::context::LawContext;
 use super::descent::Descent;
-use super::laws::PointAnswer;
+use super::laws::{LawAnswers, PointAnswer};
 use super::points::{Kind, LinearPoint, LinearPoints, LinearRows, Sliding};
 use super::rows::{IntegrationPoints, Row, Unknown};
 use slideline_linalg::DenseLu;
@@ -24,7 +24,12 @@ pub struct LinearisedContact {
     pub(super) anchor: Vec<f64>,
     pub(super) residual: Vec<f64>,
     pub(super) step: Vec<f64>,
-    pub(super) trial: Vec<f64>,
+    /// C times the step.
+    pub(super) yielded: Vec<f64>,
+    /// Unknowns at the end of a step, and their values.
+    pub(super) trial: [Vec<f64>; 2],
+    /// What the laws say of the rows of the dense way.
+    pub(super) laws: LawAnswers,
     /// Unknowns where the first way left them.
     pub(super) begun: Vec<f64>,
     pub(super) jacobian: Vec<f64>,
@@ -67,8 +72,11 @@ impl LinearisedContact {
         self.factors.matrix_mut(rows);
         self.factors.factor();
         self.descent.reserve(rows, points);
-        let vectors = [&mut self.unknown, &mut self.residual, &mut self.step, &mut self.trial];
-        vectors.into_iter().chain([&mut self.begun]).for_each(|vector| vector.reserve(rows));
+        let vectors = [&mut self.unknown, &mut self.residual, &mut self.step, &mut self.yielded];
+        let kept = self.trial.iter_mut().chain([&mut self.begun]);
+        vectors.into_iter().chain(kept).for_each(|vector| vector.reserve(rows));
+        self.laws.rows.reserve(rows);
+        self.laws.points.reserve(points);
         self.in_rows.reserve(points);
         self.inserted.reserve(points);
         self.moved.reserve(equations);

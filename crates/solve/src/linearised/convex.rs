@@ -24,8 +24,6 @@ use super::system::System;
 const ROUNDS: usize = 8;
 /// The most Newton steps of a round.
 const STEPS: usize = 60;
-/// Halvings that find the end of a step.
-const HALVINGS: usize = 40;
 /// Residual, relative to the multipliers, at which a step that does not halve it is rounding [1].
 const ROUNDED: f64 = 1e-8;
 /// Change of all pressures, relative to the largest, that ends the rounds [1].
@@ -52,8 +50,8 @@ impl LinearisedContact {
 
     /// Newton with steps that end where the energy is least.
     fn descend(&mut self, points: &LinearPoints, fixed: &LawContext<'_>, work: &mut Descent) {
-        work.make_room(self.rows.len());
-        let mut unknown = std::mem::take(&mut self.unknown);
+        work.make_room(self.rows.len(), self.integration_points.len());
+        let unknown = &mut self.unknown;
         let system = System {
             rows: &self.rows,
             compliance: &self.compliance,
@@ -61,8 +59,9 @@ impl LinearisedContact {
         };
         let mut before = f64::INFINITY;
         for _ in 0..STEPS {
-            let size = work.evaluate(&system, &unknown, points, fixed);
-            let largest = system.largest_multiplier(&unknown);
+            system.values(unknown, &mut work.values);
+            let size = work.evaluate(&system, unknown, points, fixed);
+            let largest = system.largest_multiplier(unknown, &work.values);
             // with many rows rounding leaves more than the least that is asked for, and all
             // further steps would go into it
             let rounded = size <= ROUNDED * ROUNDED * largest && size > 0.25 * before;
@@ -71,42 +70,20 @@ impl LinearisedContact {
             }
             before = size;
             work.steps += 1;
-            work.find_step(&system);
-            work.from.clone_from(&unknown);
+            work.find_step(&system, points);
             if work.slope() <= 0.0 {
                 // Sliding, the structure gives way; sticking it may not: the
                 // steepest the laws can be lies above them all the way.
                 work.steepest = true;
-                work.evaluate(&system, &unknown, points, fixed);
+                work.evaluate(&system, unknown, points, fixed);
                 work.steepest = false;
-                work.find_step(&system);
+                work.find_step(&system, points);
                 if work.slope() <= 0.0 {
                     break; // no way down: rows that depend on one another
                 }
             }
-            let (mut low, mut high) = (0.0, 1.0);
-            let mut at = 1.0;
-            for _ in 0..HALVINGS {
-                for ((q, start), step) in unknown.iter_mut().zip(&work.from).zip(&work.step) {
-                    *q = start - at * step;
-                }
-                work.settle(&system, &unknown, points, fixed);
-                let slope = work.slope();
-                if slope >= 0.0 && at == 1.0 {
-                    break; // still downhill at its end
-                }
-                if slope >= 0.0 {
-                    low = at
-                } else {
-                    high = at
-                }
-                if high - low <= 1e-9 * high {
-                    break;
-                }
-                at = 0.5 * (low + high);
-            }
+            work.descend_along_step(&system, unknown, points, fixed);
         }
-        self.unknown = unknown;
     }
 
     /// Gives the points the pressures of the present unknowns; says whether
@@ -115,16 +92,14 @@ impl LinearisedContact {
         &mut self,
         points: &mut LinearPoints,
         fixed: &LawContext<'_>,
-        values: &mut Vec<f64>,
+        values: &mut [f64],
     ) -> bool {
         let system = System {
             rows: &self.rows,
             compliance: &self.compliance,
             integration_points: &self.integration_points,
         };
-        values.clear();
-        let rows = 0..self.rows.len();
-        values.extend(rows.map(|i| system.multiplier_and_value(i, &self.unknown).1));
+        system.values(&self.unknown, values);
         let (mut change, mut largest) = (0.0_f64, 0.0_f64);
         let mut follow = |point: &mut LinearPoint, pressure: f64| {
             change = change.max((pressure - point.pressure).abs());

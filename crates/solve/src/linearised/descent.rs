@@ -1,6 +1,8 @@
 //! A step towards the least energy for fixed limits of friction: the laws inserted, their slopes.
 
 use super::context::LawContext;
+use super::iterate::go;
+use super::laws::LawAnswers;
 use super::points::{Kind, LinearPoint, LinearPoints};
 use super::rows::{Row, RowSlopes, Unknown};
 use super::system::{System, eliminate_in_units};
@@ -11,6 +13,12 @@ use slideline_mech::contact::tangential::{Tangential, TangentialMap};
 /// Stiffness that stands for a hard law or exact stick, in those that the
 /// structure has at the point [1].
 const STIFF: f64 = 1e5;
+/// Halvings that find the end of a step.
+const HALVINGS: usize = 40;
+/// Part of the slope at its beginning that may be left at its end [1].
+const ENDED: f64 = 0.1;
+/// Part of it that counts as rounding [1].
+const ROUNDING: f64 = 1e-9;
 /// Equations of a point that room is kept for.
 const ROWS: usize = 18;
 
@@ -21,7 +29,11 @@ pub(super) struct Descent {
     pub(super) held: LinearPoints,
     /// Unknowns at the beginning of a step.
     pub(super) from: Vec<f64>,
+    /// And what they give.
+    pub(super) values_from: Vec<f64>,
     pub(super) step: Vec<f64>,
+    /// C times the step.
+    pub(super) yielded: Vec<f64>,
     /// A C step: how the energy falls with the residual of each row.
     pub(super) push: Vec<f64>,
     pub(super) residual: Vec<f64>,
@@ -29,6 +41,7 @@ pub(super) struct Descent {
     pub(super) factors: DenseLu,
     pub(super) stiffness: Vec<f64>,
     pub(super) values: Vec<f64>,
+    pub(super) laws: LawAnswers,
     /// Whether slopes are those of stick, sliding or not.
     pub(super) steepest: bool,
     /// Steps of the last descent, over all rounds.
@@ -38,22 +51,27 @@ pub(super) struct Descent {
 impl Descent {
     /// Room for `m` rows and so many points, so that later steps allocate nothing.
     pub fn reserve(&mut self, m: usize, points: usize) {
-        self.make_room(m);
+        self.make_room(m, points);
         self.held.reserve(points, ROWS);
         // factored once, so that what it needs is there
         self.factors.matrix_mut(m);
         self.factors.factor();
     }
 
-    /// Room for `m` rows.
-    pub(super) fn make_room(&mut self, m: usize) {
-        let Self { from, step, push, residual, jacobian, stiffness, values, .. } = self;
-        [from, step, push, residual, values].into_iter().for_each(|list| list.resize(m, 0.0));
-        [jacobian, stiffness].into_iter().for_each(|square| square.resize(m * m, 0.0));
+    /// Room for `m` rows, and for what the laws say of them and of integration points.
+    pub(super) fn make_room(&mut self, m: usize, integration_points: usize) {
+        let Self { from, values_from, step, yielded, push, residual, values, .. } = self;
+        for list in [from, values_from, step, yielded, push, residual, values] {
+            list.resize(m, 0.0);
+        }
+        [&mut self.jacobian, &mut self.stiffness]
+            .into_iter()
+            .for_each(|square| square.resize(m * m, 0.0));
+        self.laws.make_room(m, integration_points);
         self.steepest = false;
     }
 
-    /// F = lambda - law with the laws inserted, and dF/dq; its weighted square.
+    /// F = lambda - law with the laws inserted at the values that are there; its weighted square.
     pub(super) fn evaluate(
         &mut self,
         system: &System<'_>,
@@ -61,60 +79,69 @@ impl Descent {
         points: &LinearPoints,
         fixed: &LawContext<'_>,
     ) -> f64 {
-        self.residual_at(system, (unknown, true), points, fixed);
-        let squares = self.residual.iter().zip(system.rows).map(|(f, row)| f * f * row.weight);
-        squares.sum()
-    }
-
-    /// F alone, which is all that the slope along a known step asks for.
-    pub(super) fn settle(
-        &mut self,
-        system: &System<'_>,
-        unknown: &[f64],
-        points: &LinearPoints,
-        fixed: &LawContext<'_>,
-    ) {
-        self.residual_at(system, (unknown, false), points, fixed);
-    }
-
-    /// F, and its derivatives where they are `wanted`.
-    fn residual_at(
-        &mut self,
-        system: &System<'_>,
-        (unknown, wanted): (&[f64], bool),
-        points: &LinearPoints,
-        fixed: &LawContext<'_>,
-    ) {
-        for (i, value) in self.values.iter_mut().enumerate() {
-            *value = system.multiplier_and_value(i, unknown).1;
-        }
-        if !system.integration_points.is_empty() {
-            let known = (unknown, &self.values[..], points);
-            let slope = (&mut self.jacobian[..], &mut self.stiffness[..]);
-            system.interface(known, fixed, &mut self.residual, slope);
-        }
-        for i in 0..system.rows.len() {
-            fixed.insert(system.rows, i, points, (&self.values, self.steepest), |i, slopes| {
-                self.residual[i] = system.multiplier_and_value(i, unknown).0 - slopes.value;
-                if wanted {
-                    system.differentiate(i, &slopes, &mut self.jacobian);
-                }
-            });
-        }
+        let at = (unknown, &self.values[..], points);
+        let laws = &mut self.laws;
+        system.residual_of_inserted(at, (fixed, self.steepest), &mut self.residual, laws)
     }
 
     /// The step, J step = F, and what the energy says of it.
-    pub(super) fn find_step(&mut self, system: &System<'_>) {
+    pub(super) fn find_step(&mut self, system: &System<'_>, points: &LinearPoints) {
+        system.jacobian(points, &self.laws, &mut self.jacobian, &mut self.stiffness);
         self.step.copy_from_slice(&self.residual);
         eliminate_in_units(system.rows, &self.jacobian, &mut self.factors, &mut self.step);
-        let rows = system.compliance.chunks_exact(system.rows.len());
-        for ((push, row), compliance) in self.push.iter_mut().zip(system.rows).zip(rows) {
-            let moved: f64 = compliance.iter().zip(&self.step).map(|(c, d)| c * d).sum();
+        system.product(&self.step, &mut self.yielded);
+        for ((push, row), &moved) in self.push.iter_mut().zip(system.rows).zip(&self.yielded) {
             *push = match row.unknown {
                 Unknown::Multiplier { .. } => moved / row.unit,
                 Unknown::Interface { .. } => moved,
             };
         }
+    }
+
+    /// Goes along the step to where the energy is least, or all of it where that lies beyond.
+    pub(super) fn descend_along_step(
+        &mut self,
+        system: &System<'_>,
+        unknown: &mut [f64],
+        points: &LinearPoints,
+        fixed: &LawContext<'_>,
+    ) {
+        let begun = self.slope();
+        self.begin(unknown);
+        let (mut low, mut high) = (0.0, 1.0);
+        let mut at = 1.0;
+        for _ in 0..HALVINGS {
+            self.go(at, unknown);
+            self.evaluate(system, unknown, points, fixed);
+            let slope = self.slope();
+            if at == 1.0 && slope >= -ROUNDING * begun {
+                return; // still downhill at its end
+            }
+            if (0.0..=ENDED * begun).contains(&slope) {
+                return; // all but there, and never beyond: downhill all the way
+            }
+            if slope >= 0.0 {
+                low = at
+            } else {
+                high = at
+            }
+            if high - low <= 1e-9 * high {
+                return;
+            }
+            at = 0.5 * (low + high);
+        }
+    }
+
+    /// Begins steps from the unknowns and the values that are there.
+    fn begin(&mut self, unknown: &[f64]) {
+        self.from.copy_from_slice(unknown);
+        self.values_from.copy_from_slice(&self.values);
+    }
+
+    /// Goes so much of the step.
+    fn go(&mut self, at: f64, unknown: &mut [f64]) {
+        go((&self.from, -at, &self.step), unknown);
+        go((&self.values_from, at, &self.yielded), &mut self.values);
     }
 
     /// Energy that the step gains per length of it; below zero beyond the place
@@ -128,7 +155,7 @@ impl LawContext<'_> {
     /// What the laws say at the `values` of all rows, at the limit of the pressure that the
     /// point has: of the pressure in row `i`, or of all tractions that begin there; `steepest`:
     /// with the slopes of stick, sliding or not.
-    fn insert(
+    pub(super) fn insert(
         &self,
         rows: &[Row],
         i: usize,

@@ -56,46 +56,36 @@ impl LinearisedContact {
 
     /// Semismooth Newton with backtracking; says whether it converged.
     fn newton(&mut self, points: &LinearPoints, context: &LawContext<'_>) -> bool {
-        let m = self.rows.len();
-        for vector in [&mut self.residual, &mut self.step, &mut self.trial] {
-            vector.clear();
-            vector.resize(m, 0.0);
-        }
-        self.jacobian.clear();
-        self.jacobian.resize(m * m, 0.0);
-        self.stiffness.clear();
-        self.stiffness.resize(if self.integration_points.is_empty() { 0 } else { m * m }, 0.0);
-        self.values.resize(m, 0.0);
-        let (stiffness, values) = (&mut self.stiffness, &mut self.values);
+        self.make_room_for_newton();
+        let Self { residual, step, yielded, trial, values, jacobian, stiffness, .. } = self;
+        let [trial, trial_values] = trial;
+        let (unknown, laws) = (&mut self.unknown, &mut self.laws);
         let system = System {
             rows: &self.rows,
             compliance: &self.compliance,
             integration_points: &self.integration_points,
         };
-        let (residual, jacobian) = (&mut self.residual, &mut self.jacobian);
-        let unknown = &mut self.unknown;
-        let mut size =
-            system.residual((unknown, points), context, residual, (jacobian, stiffness, values));
+        system.values(unknown, values);
+        let mut size = system.residual((unknown, values, points), context, residual, laws);
         for _ in 0..ITERATIONS {
             if size == 0.0 || !size.is_finite() {
                 return size == 0.0;
             }
-            let rounded = size <= ROUNDED * ROUNDED * system.largest_multiplier(unknown);
-            self.step.copy_from_slice(residual);
-            eliminate_in_units(&self.rows, jacobian, &mut self.factors, &mut self.step);
+            let largest = system.largest_multiplier(unknown, values);
+            let rounded = size <= ROUNDED * ROUNDED * largest;
+            system.jacobian(points, laws, jacobian, stiffness);
+            step.copy_from_slice(residual);
+            eliminate_in_units(&self.rows, jacobian, &mut self.factors, step);
+            system.product(step, yielded);
             let mut length = 1.0;
             loop {
-                for ((trial, q), step) in self.trial.iter_mut().zip(&*unknown).zip(&self.step) {
-                    *trial = q - length * step;
-                }
-                let new = system.residual(
-                    (&self.trial, points),
-                    context,
-                    residual,
-                    (jacobian, stiffness, values),
-                );
+                go((unknown, -length, step), trial);
+                go((values, length, yielded), trial_values);
+                let at = (&trial[..], &trial_values[..], points);
+                let new = system.residual(at, context, residual, laws);
                 if new < size {
-                    unknown.copy_from_slice(&self.trial);
+                    unknown.copy_from_slice(trial);
+                    values.copy_from_slice(trial_values);
                     size = new;
                     break;
                 }
@@ -107,6 +97,18 @@ impl LinearisedContact {
             }
         }
         false
+    }
+
+    fn make_room_for_newton(&mut self) {
+        let m = self.rows.len();
+        let [trial, trial_values] = &mut self.trial;
+        let vectors = [&mut self.residual, &mut self.step, &mut self.yielded, &mut self.values];
+        for vector in vectors.into_iter().chain([trial, trial_values]) {
+            vector.resize(m, 0.0);
+        }
+        self.jacobian.resize(m * m, 0.0);
+        self.stiffness.resize(if self.integration_points.is_empty() { 0 } else { m * m }, 0.0);
+        self.laws.make_room(m, self.integration_points.len());
     }
 
     /// Finds the pressures of hard points for the present tractions by a
@@ -131,5 +133,12 @@ impl LinearisedContact {
         };
         pivoting(&system, &candidates, &mut self.unknown);
         true
+    }
+}
+
+/// Where a way of so much along `step` leads from `from`.
+pub(super) fn go((from, length, step): (&[f64], f64, &[f64]), to: &mut [f64]) {
+    for ((to, from), step) in to.iter_mut().zip(from).zip(step) {
+        *to = from + length * step;
     }
 }

@@ -22,6 +22,20 @@ pub(super) struct PointAnswer {
     pub tangential_by_slip: TangentialMap,
 }
 
+/// What the laws say at an estimate: of each row, and of each integration point that takes part.
+#[derive(Clone, Debug, Default)]
+pub(super) struct LawAnswers {
+    pub rows: Vec<RowSlopes>,
+    pub points: Vec<PointAnswer>,
+}
+
+impl LawAnswers {
+    pub(super) fn make_room(&mut self, rows: usize, integration_points: usize) {
+        self.rows.resize(rows, RowSlopes::default());
+        self.points.resize(integration_points, PointAnswer::default());
+    }
+}
+
 impl PointAnswer {
     /// Whether it neither presses nor would with a little more closing.
     pub(super) fn is_idle(&self) -> bool {

@@ -19,8 +19,9 @@ use super::compliance::{Compliance, MatrixFree};
 use super::condensed::{LinearisedContact, ROUNDS, give_multiplier};
 use super::context::LawContext;
 use super::points::{Kind, LinearPoints, LinearRows};
-use super::rows::{Row, Unknown};
+use super::rows::Unknown;
 use super::slopes::Slopes;
+use super::system::System;
 use slideline_linalg::SolveError;
 use slideline_linalg::krylov::{Stop, gmres};
 
@@ -164,7 +165,7 @@ impl LinearisedContact {
         let mut size = self.measure(points, context, work, q);
         let affordable = (factorisation_in_solves(stiffness) as usize).max(FEW);
         for _ in 0..STEPS {
-            let largest = self.largest(work, q);
+            let largest = self.without_matrix().largest_multiplier(q, &work.values);
             if size <= SOLVED * SOLVED * largest || !size.is_finite() {
                 return Ok(size.is_finite());
             }
@@ -196,36 +197,14 @@ impl LinearisedContact {
         work: &mut MatrixFree,
         q: &[f64],
     ) -> f64 {
-        let MatrixFree { values, residual, slopes, answers, .. } = work;
-        residual.copy_from_slice(q);
-        for (integration_point, answer) in self.integration_points.iter().zip(answers.iter_mut()) {
-            let point = points.at(integration_point.point);
-            *answer = context.integration_point(integration_point, &point, values);
-            if !answer.is_idle() {
-                for (a, &i) in integration_point.rows.iter().enumerate() {
-                    residual[i] -= point.area * point.force_at(a, answer.normal, answer.tangential);
-                }
-            }
-        }
-        let rows = &self.rows;
-        let asked =
-            |i: usize| (q[i] + rows[i].augmentation * (values[i] - rows[i].start), values[i]);
-        for i in 0..rows.len() {
-            context.ask(rows, i, points, asked, |i, multiplier, answer| {
-                residual[i] = multiplier - answer.value;
-                slopes[i] = answer;
-            });
-        }
-        residual.iter().zip(rows).map(|(f, row)| f * f * row.weight).sum()
+        let MatrixFree { values, residual, laws, .. } = work;
+        self.without_matrix().residual((q, values, points), context, residual, laws)
     }
 
-    /// Largest multiplier in the squared norm of the residual.
-    fn largest(&self, work: &MatrixFree, q: &[f64]) -> f64 {
-        let of = |(i, row): (usize, &Row)| {
-            let multiplier = q[i] + row.augmentation * (work.values[i] - row.start);
-            multiplier.abs().max(q[i].abs()).powi(2) * row.weight
-        };
-        self.rows.iter().enumerate().map(of).fold(f64::MIN_POSITIVE, f64::max)
+    /// The condensed problem, its compliance not formed.
+    fn without_matrix(&self) -> System<'_> {
+        let integration_points = &self.integration_points;
+        System { rows: &self.rows, compliance: &[], integration_points }
     }
 
     /// Solves J step = F by GMRES and fills C step; the number of products.
@@ -236,14 +215,12 @@ impl LinearisedContact {
         work: &mut MatrixFree,
         tolerance: f64,
     ) -> Result<usize, SolveError> {
-        let MatrixFree { full, residual, step, yielded, scaled, slopes, answers, solves, .. } =
-            work;
+        let MatrixFree { full, residual, step, yielded, scaled, laws, solves, .. } = work;
         let [v, w] = &mut work.trial;
         let rows = &self.rows;
         let on_interface = work.on_interface;
         let mut c = Compliance { rows, points, full, on_interface, solves, fault: None };
-        let slopes =
-            Slopes { rows, integration_points: &self.integration_points, points, slopes, answers };
+        let slopes = Slopes { rows, integration_points: &self.integration_points, points, laws };
         // in the norm of the energy: sqrt(weight) v
         for ((scaled, f), row) in scaled.iter_mut().zip(&*residual).zip(rows) {
             *scaled = f * row.weight.sqrt();

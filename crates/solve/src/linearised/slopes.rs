@@ -7,9 +7,9 @@
 //!
 //! docs/theory.md eq. (8.27).
 
-use super::laws::PointAnswer;
+use super::laws::LawAnswers;
 use super::points::LinearPoints;
-use super::rows::{IntegrationPoints, Row, RowSlopes, Unknown};
+use super::rows::{IntegrationPoints, Row, Unknown};
 use slideline_mech::contact::tangential::MOST_DIRECTIONS;
 
 /// The slopes of the laws about an estimate.
@@ -17,15 +17,14 @@ pub(super) struct Slopes<'a> {
     pub rows: &'a [Row],
     pub integration_points: &'a IntegrationPoints,
     pub points: &'a LinearPoints,
-    pub slopes: &'a [RowSlopes],
-    pub answers: &'a [PointAnswer],
+    pub laws: &'a LawAnswers,
 }
 
 impl Slopes<'_> {
     /// J v, with w = C v known.
     pub(super) fn product(&self, v: &[f64], w: &[f64], into: &mut [f64]) {
         let multiplier = |i: usize| v[i] - self.rows[i].augmentation * w[i];
-        for (i, (row, slopes)) in self.rows.iter().zip(self.slopes).enumerate() {
+        for (i, (row, slopes)) in self.rows.iter().zip(&self.laws.rows).enumerate() {
             into[i] = match row.unknown {
                 Unknown::Multiplier { pressure_row, .. } => {
                     let mut sum = multiplier(i);
@@ -37,7 +36,7 @@ impl Slopes<'_> {
                 Unknown::Interface { .. } => v[i],
             };
         }
-        for (integration_point, answer) in self.integration_points.iter().zip(self.answers) {
+        for (integration_point, answer) in self.integration_points.iter().zip(&self.laws.points) {
             if answer.is_idle() {
                 continue;
             }
@@ -56,7 +55,7 @@ impl Slopes<'_> {
     pub(super) fn precondition(&self, x: &[f64], into: &mut [f64]) {
         let mut i = 0;
         while i < self.rows.len() {
-            let slopes = &self.slopes[i];
+            let slopes = &self.laws.rows[i];
             match self.rows[i].unknown {
                 Unknown::Interface { .. } => {
                     into[i] = x[i];
@@ -86,7 +85,7 @@ impl Slopes<'_> {
         let mut block = [[0.0; MOST_DIRECTIONS]; MOST_DIRECTIONS];
         let (multiplier, compliance) = own(&self.rows[first]);
         for k in 0..count {
-            let (row, slopes) = (&self.rows[first + k], &self.slopes[first + k]);
+            let (row, slopes) = (&self.rows[first + k], &self.laws.rows[first + k]);
             right[k] = x[first + k];
             if pressure_row != first && slopes.by_pressure != 0.0 {
                 let pressure = &self.rows[pressure_row];

@@ -1,9 +1,13 @@
 //! The condensed contact problem of one Newton iteration: its residual and slope.
 
 use super::context::LawContext;
+use super::laws::{LawAnswers, PointAnswer};
 use super::points::LinearPoints;
 use super::rows::{IntegrationPoints, Row, RowSlopes};
 use slideline_linalg::DenseLu;
+
+/// Unknowns, the values that they give, and the points.
+pub(super) type Estimate<'a> = (&'a [f64], &'a [f64], &'a LinearPoints);
 
 /// The condensed contact problem: e = free - C q, lambda = q + s (e - start).
 #[derive(Clone, Copy)]
@@ -14,110 +18,170 @@ pub(super) struct System<'a> {
 }
 
 impl System<'_> {
+    /// C v.
+    pub(super) fn product(&self, v: &[f64], into: &mut [f64]) {
+        for (sum, compliance) in into.iter_mut().zip(self.compliance.chunks_exact(v.len())) {
+            *sum = compliance.iter().zip(v).map(|(c, v)| c * v).sum();
+        }
+    }
+
+    /// e of all rows.
+    pub(super) fn values(&self, unknown: &[f64], values: &mut [f64]) {
+        self.product(unknown, values);
+        values.iter_mut().zip(self.rows).for_each(|(value, row)| *value = row.free - *value);
+    }
+
     pub(super) fn multiplier_and_value(&self, i: usize, unknown: &[f64]) -> (f64, f64) {
         let m = self.rows.len();
-        let row = &self.rows[i];
         let yielded: f64 =
             self.compliance[i * m..][..m].iter().zip(unknown).map(|(c, q)| c * q).sum();
-        let value = row.free - yielded;
-        (unknown[i] + row.augmentation * (value - row.start), value)
+        let value = self.rows[i].free - yielded;
+        (self.multiplier(i, unknown[i], value), value)
+    }
+
+    fn multiplier(&self, i: usize, unknown: f64, value: f64) -> f64 {
+        let row = &self.rows[i];
+        unknown + row.augmentation * (value - row.start)
     }
 
     /// Largest multiplier in the squared norm of the residual.
-    pub(super) fn largest_multiplier(&self, unknown: &[f64]) -> f64 {
-        (0..self.rows.len())
-            .map(|i| {
-                let multiplier = self.multiplier_and_value(i, unknown).0.abs();
-                multiplier.max(unknown[i].abs()).powi(2) * self.rows[i].weight
-            })
-            .fold(f64::MIN_POSITIVE, f64::max)
+    pub(super) fn largest_multiplier(&self, unknown: &[f64], values: &[f64]) -> f64 {
+        let of = |(i, row): (usize, &Row)| {
+            let multiplier = self.multiplier(i, unknown[i], values[i]);
+            multiplier.abs().max(unknown[i].abs()).powi(2) * row.weight
+        };
+        self.rows.iter().enumerate().map(of).fold(f64::MIN_POSITIVE, f64::max)
     }
 
-    /// F = lambda - law, its squared norm, and dF/dq.
+    /// F = lambda - law at the unknowns and their values, and what the laws say; its weighted
+    /// square.
     pub(super) fn residual(
         &self,
-        (unknown, points): (&[f64], &LinearPoints),
+        (unknown, values, points): Estimate<'_>,
         context: &LawContext<'_>,
         residual: &mut [f64],
-        (jacobian, stiffness, values): (&mut [f64], &mut [f64], &mut [f64]),
+        laws: &mut LawAnswers,
     ) -> f64 {
-        if !self.integration_points.is_empty() {
-            for (i, value) in values.iter_mut().enumerate() {
-                *value = self.multiplier_and_value(i, unknown).1;
-            }
-            let known = (unknown, &*values, points);
-            self.interface(known, context, residual, (jacobian, stiffness));
-        }
-        let asked = |i: usize| self.multiplier_and_value(i, unknown);
+        self.interface((unknown, values, points), context, residual, &mut laws.points);
+        let asked = |i: usize| (self.multiplier(i, unknown[i], values[i]), values[i]);
         for i in 0..self.rows.len() {
-            context.ask(self.rows, i, points, asked, |i, multiplier, slopes| {
-                residual[i] = multiplier - slopes.value;
-                self.differentiate(i, &slopes, jacobian);
+            context.ask(self.rows, i, points, asked, |i, multiplier, answer| {
+                residual[i] = multiplier - answer.value;
+                laws.rows[i] = answer;
             });
         }
+        self.size(residual)
+    }
+
+    /// The same with the laws inserted and the limits of friction held, `steepest`: with the
+    /// slopes of stick.
+    pub(super) fn residual_of_inserted(
+        &self,
+        (unknown, values, points): Estimate<'_>,
+        (fixed, steepest): (&LawContext<'_>, bool),
+        residual: &mut [f64],
+        laws: &mut LawAnswers,
+    ) -> f64 {
+        self.interface((unknown, values, points), fixed, residual, &mut laws.points);
+        for i in 0..self.rows.len() {
+            fixed.insert(self.rows, i, points, (values, steepest), |i, answer| {
+                residual[i] = self.multiplier(i, unknown[i], values[i]) - answer.value;
+                laws.rows[i] = answer;
+            });
+        }
+        self.size(residual)
+    }
+
+    fn size(&self, residual: &[f64]) -> f64 {
         residual.iter().zip(self.rows).map(|(f, row)| f * f * row.weight).sum()
     }
 
-    /// dF/dq of a pressure or traction.
-    pub(super) fn differentiate(&self, i: usize, slopes: &RowSlopes, jacobian: &mut [f64]) {
-        let m = self.rows.len();
-        let k = self.rows[i].pressure_row().unwrap_or(i);
-        for j in 0..m {
-            // d value/dq_j = -C_ij, d lambda_i/dq_j = delta_ij - s C_ij
-            let by_value = |i: usize| -self.compliance[i * m + j];
-            let by_multiplier = |i: usize| {
-                let own = if i == j { 1.0 } else { 0.0 };
-                own + self.rows[i].augmentation * by_value(i)
-            };
-            let mut entry = by_multiplier(i);
-            for (row, multiplier, value) in slopes.each() {
-                entry = entry - multiplier * by_multiplier(row) - value * by_value(row);
-            }
-            if slopes.by_pressure != 0.0 {
-                entry -= slopes.by_pressure * by_multiplier(k);
-            }
-            jacobian[i * m + j] = entry;
-        }
-    }
-
-    /// The rows of equations that integration_points press on: F = q - f(d), with f the
-    /// force of all integration_points at the displacements d = free - C q.
-    pub(super) fn interface(
+    /// The rows of equations that integration points press on: F = q - f(d), with f the
+    /// force of all integration points at the displacements d.
+    fn interface(
         &self,
-        (unknown, values, points): (&[f64], &[f64], &LinearPoints),
+        (unknown, values, points): Estimate<'_>,
         context: &LawContext<'_>,
         residual: &mut [f64],
-        (jacobian, stiffness): (&mut [f64], &mut [f64]),
+        answers: &mut [PointAnswer],
     ) {
-        let m = self.rows.len();
-        stiffness.fill(0.0);
-        let is_interface = |i: &usize| self.rows[*i].point().is_none();
-        for i in (0..m).filter(is_interface) {
-            residual[i] = unknown[i];
-        }
-        for integration_point in self.integration_points.iter() {
+        residual.copy_from_slice(unknown);
+        for (integration_point, answer) in self.integration_points.iter().zip(answers) {
             let point = points.at(integration_point.point);
-            let answer = context.integration_point(integration_point, &point, values);
+            *answer = context.integration_point(integration_point, &point, values);
             if answer.is_idle() {
                 continue;
             }
             for (a, &i) in integration_point.rows.iter().enumerate() {
                 residual[i] -= point.area * point.force_at(a, answer.normal, answer.tangential);
             }
-            let rows = integration_point.rows;
-            answer.add_slope(&point, |a, b, slope| stiffness[rows[a] * m + rows[b]] += slope);
         }
-        for i in (0..m).filter(is_interface) {
-            let row = &mut jacobian[i * m..(i + 1) * m];
-            row.fill(0.0);
-            row[i] = 1.0;
-            for k in 0..m {
-                let by = stiffness[i * m + k];
-                if by != 0.0 {
-                    let compliance = &self.compliance[k * m..(k + 1) * m];
-                    row.iter_mut().zip(compliance).for_each(|(sum, c)| *sum += by * c);
+    }
+
+    /// dF/dq by what the laws said; `stiffness` is scratch for df/dd of the interface.
+    pub(super) fn jacobian(
+        &self,
+        points: &LinearPoints,
+        laws: &LawAnswers,
+        jacobian: &mut [f64],
+        stiffness: &mut [f64],
+    ) {
+        let m = self.rows.len();
+        stiffness.fill(0.0);
+        for (integration_point, answer) in self.integration_points.iter().zip(&laws.points) {
+            if !answer.is_idle() {
+                let (point, rows) = (points.at(integration_point.point), integration_point.rows);
+                answer.add_slope(&point, |a, b, slope| stiffness[rows[a] * m + rows[b]] += slope);
+            }
+        }
+        for (i, derivatives) in jacobian.chunks_exact_mut(m).enumerate() {
+            derivatives.fill(0.0);
+            derivatives[i] = 1.0;
+            match self.rows[i].pressure_row() {
+                Some(pressure_row) => {
+                    self.differentiate((i, pressure_row), &laws.rows[i], derivatives);
+                }
+                None => {
+                    for (k, &by) in stiffness[i * m..][..m].iter().enumerate() {
+                        self.add_compliance(by, k, derivatives);
+                    }
                 }
             }
+        }
+    }
+
+    /// dF/dq of a pressure or traction, with d value/dq_j = -C_ij and
+    /// d lambda_i/dq_j = delta_ij - s C_ij.
+    fn differentiate(
+        &self,
+        (i, pressure_row): (usize, usize),
+        slopes: &RowSlopes,
+        derivatives: &mut [f64],
+    ) {
+        let augmentation = |row: usize| self.rows[row].augmentation;
+        // the row's own compliance at once: where law and multiplier say the same, nothing is left
+        let mut own = -augmentation(i);
+        for (row, by_multiplier, by_value) in slopes.each() {
+            derivatives[row] -= by_multiplier;
+            let by = by_multiplier * augmentation(row) + by_value;
+            match row == i {
+                true => own += by,
+                false => self.add_compliance(by, row, derivatives),
+            }
+        }
+        if slopes.by_pressure != 0.0 {
+            derivatives[pressure_row] -= slopes.by_pressure;
+            let by = slopes.by_pressure * augmentation(pressure_row);
+            self.add_compliance(by, pressure_row, derivatives);
+        }
+        self.add_compliance(own, i, derivatives);
+    }
+
+    /// Adds so much of row `row` of C.
+    fn add_compliance(&self, by: f64, row: usize, derivatives: &mut [f64]) {
+        if by != 0.0 {
+            let compliance = &self.compliance[row * self.rows.len()..];
+            derivatives.iter_mut().zip(compliance).for_each(|(sum, c)| *sum += by * c);
         }
     }
 }
