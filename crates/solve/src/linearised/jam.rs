@@ -10,11 +10,15 @@
 //! long as C_nn + mu s C_nt > 0. At zero and below, the friction of the greater
 //! pressure closes it by more than the pressure opens it: no pressure holds
 //! the balance, and the contact jams. On a slope this is mu tan a >= 1. (derived)
+//! Where C_nn itself is negative the structure gives way: it snaps, with friction or without.
 
 use super::condensed::LinearisedContact;
 use super::context::LawContext;
 use super::points::{Kind, LinearPoints};
 use slideline_mech::contact::tangential::Tangential;
+
+/// Part of the compliance of a point below which it counts as none [1].
+const ROUNDING: f64 = 1e-9;
 
 impl LinearisedContact {
     /// The coefficient of friction from which on the point at `place` jams when it slides in the
@@ -51,7 +55,11 @@ impl LinearisedContact {
         let tn: f64 = directions.clone().map(|k| d[k] * c(first + k, n)).sum();
         let augmentation = self.rows[first].augmentation * (nn * tt - nt * tn);
         let opens = nn - augmentation;
+        let rounding = ROUNDING * nn.abs();
+        if opens < -rounding {
+            return None; // the structure gives way without any friction
+        }
         let from = if opens > 0.0 && nt < 0.0 { -opens / nt } else { 0.0 };
-        (opens + mu * nt <= 1e-9 * nn.abs()).then_some(from)
+        (opens + mu * nt <= rounding).then_some(from)
     }
 }

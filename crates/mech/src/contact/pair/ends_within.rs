@@ -19,7 +19,12 @@ pub fn counts(depth: f64, width: f64) -> f64 {
     if depth <= width {
         return 1.0;
     }
-    let beyond = ((depth - width) / ((NO_MORE - 1.0) * width)).min(1.0);
+    fading((depth - width) / ((NO_MORE - 1.0) * width))
+}
+
+/// All up to zero, nothing from one on, and without a leap or a kink between.
+pub fn fading(beyond: f64) -> f64 {
+    let beyond = beyond.clamp(0.0, 1.0);
     1.0 - beyond * beyond * (3.0 - 2.0 * beyond)
 }
 

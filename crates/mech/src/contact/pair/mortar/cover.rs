@@ -6,7 +6,7 @@
 //!   o--+--+---+----o--o
 //! ```
 
-use super::super::ends_within::counts;
+use super::super::ends_within::{counts, fading};
 use super::curve::{Curve, Place, cross, dot, sub};
 use super::face::{MortarFace, field};
 use super::integrals::{Bound, MERGING, Segment, across};
@@ -19,6 +19,10 @@ const LEAST: f64 = 1e-4;
 /// Cosine of the angle of the normals of both sides from which on they face one another: 75 degrees.
 /// Where two blocks touch, the sides beside the contact are across it and never meet its faces.
 const FACING: f64 = 0.26;
+/// The same from which on all counts: 59 degrees. (choice)
+const WHOLE: f64 = 2.0 * FACING;
+/// Lengths of the face behind its nearest part at which a part counts less, and no more [1]. (choice)
+const FAR: [f64; 2] = [0.5, 1.0];
 /// Most iterations towards a projection.
 const MOST: usize = 60;
 
@@ -60,6 +64,7 @@ impl Cover {
                 self.add_segment(bounds, face, &ends);
             }
         }
+        self.weigh(face, &ends);
         self.drop_across(face, &slave);
         self.drop_far(&slave);
         self.merge_ends(face);
@@ -112,22 +117,34 @@ impl Cover {
             }
             let gap = dot(sub(place, at), normal);
             if nearest.is_none_or(|(known, ..)| gap.abs() < known.abs()) {
-                let along = curve.blend(&there.slope);
-                let size = (dot(along, along) * dot(normal, normal)).sqrt();
-                let opposite = cross(normal, along) > FACING * size;
-                nearest = Some((gap, span.curve, span.faces && opposite));
+                let faces = span.faces && opposite(curve.blend(&there.slope), normal) > FACING;
+                nearest = Some((gap, span.curve, faces));
             }
         }
-        let Some((gap, curve, true)) = nearest else { return };
+        let Some((_, curve, true)) = nearest else { return };
         let bounds = bounds.map(|bound| self.of_curve(curve, bound));
         match self.segments.last_mut() {
             Some(last) if last.curve == curve && last.bounds[1] == bounds[0] => {
                 last.bounds[1] = bounds[1];
             }
-            _ => {
-                self.segments.push(Segment { curve, bounds, counts: 1.0 });
-                self.gaps.push(gap / dot(normal, normal).sqrt());
-            }
+            _ => self.segments.push(Segment::new(curve, bounds)),
+        }
+    }
+
+    /// How far every segment is away in its middle, and how much of it counts by how it faces the slave.
+    fn weigh(&mut self, face: &MortarFace<'_, f64>, ends: &[MeanNormal<f64>; 2]) {
+        let slave = face.curve();
+        for segment in &mut self.segments {
+            let middle = 0.5 * (segment.bounds[0].at() + segment.bounds[1].at());
+            let (normal, at) = (field(ends, middle), slave.blend(&slave.shapes(middle).value));
+            let curve = &face.curves[segment.curve];
+            let there = curve.crossed(at, normal).map(|eta| curve.shapes(eta));
+            let gap = there.map_or(f64::INFINITY, |there| {
+                let lacks = WHOLE - opposite(curve.blend(&there.slope), normal);
+                segment.counts *= fading(lacks / (WHOLE - FACING));
+                dot(sub(curve.blend(&there.value), at), normal) / dot(normal, normal).sqrt()
+            });
+            self.gaps.push(gap);
         }
     }
 
@@ -164,7 +181,10 @@ impl Cover {
                 self.segments.drain(run.clone());
                 self.gaps.drain(run);
             } else {
-                self.segments[run].iter_mut().for_each(|segment| segment.counts *= by);
+                for segment in &mut self.segments[run] {
+                    segment.counts *= by;
+                    segment.went_in_elsewhere |= by < 1.0;
+                }
             }
         }
     }
@@ -192,22 +212,27 @@ impl Cover {
     }
 
     /// Leaves out what lies further than the length of the face behind the nearest part, as the
-    /// foot of a step, and a cover that is next to nothing.
+    /// foot of a step, and a cover that is next to nothing. On the way there it counts less and less.
     fn drop_far(&mut self, slave: &Curve<f64>) {
         let chord = sub(slave.end(1), slave.end(0));
         let nearest = self.gaps.iter().copied().fold(f64::INFINITY, f64::min);
-        let limit = nearest + dot(chord, chord).sqrt();
-        let gaps = &self.gaps;
-        let mut place = 0;
-        self.segments.retain(|_| {
-            place += 1;
-            gaps[place - 1] <= limit
-        });
-        let part = |segment: &Segment| segment.bounds[1].at() - segment.bounds[0].at();
+        let length = dot(chord, chord).sqrt();
+        for (segment, gap) in self.segments.iter_mut().zip(&self.gaps) {
+            let behind = (gap - nearest) / length;
+            segment.counts *= fading((behind - FAR[0]) / (FAR[1] - FAR[0]));
+        }
+        self.segments.retain(|segment| segment.counts > 0.0);
+        let part =
+            |own: &Segment| own.counts * (own.bounds[1].at() - own.bounds[0].at());
         if self.segments.iter().map(part).sum::<f64>() < LEAST {
             self.segments.clear();
         }
     }
+}
+
+/// Cosine of the angle between the normals of both sides, turned to one another.
+fn opposite(along: Place<f64>, normal: Place<f64>) -> f64 {
+    cross(normal, along) / (dot(along, along) * dot(normal, normal)).sqrt()
 }
 
 /// Lets a bound go over into an end of its face where it is near.

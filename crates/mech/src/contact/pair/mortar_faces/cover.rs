@@ -6,7 +6,7 @@
 //!   o--+--+--+--o       the nearest part than the piece is long is left out
 //! ```
 
-use super::super::ends_within::counts;
+use super::super::ends_within::{counts, fading};
 use super::clip::{Overlap, Polygon, Window};
 use super::ends::FaceEnds;
 use super::face_places::FacePlaces;
@@ -17,10 +17,15 @@ use super::shapes::{MOST_CORNERS, MOST_NODES, edge_between, pieces};
 /// Cosine of the angle between normals up to which a piece faces another one [1]; steeper ones hide
 /// what is behind them.
 const STEEP: f64 = 0.2;
+/// The same from which on all counts. (choice)
+const WHOLE: f64 = 2.0 * STEEP;
+/// Breadths of the piece behind its nearest part at which a part counts less, and no more [1]. (choice)
+const FAR: [f64; 2] = [1.0, 2.0];
 /// The same up to which a piece is seen at all: from there on it is a line.
 const EDGEWISE: f64 = 1e-3;
-/// Part of its own area that an overlap must have in common with a nearer one to be hidden [1].
-const HIDDEN: f64 = 0.5;
+/// Parts of its own area that an overlap has in common with nearer ones from which on it counts less, and no more:
+/// it is hidden [1]. (choice)
+const HIDDEN: [f64; 2] = [0.25, 0.75];
 /// Part of the thickness of the thinner part up to which a face may stand behind another one [1]: what is seen through
 /// a part was not gone through; a little less than all of it, for parts are squeezed.
 const WITHIN: f64 = 0.9;
@@ -164,7 +169,7 @@ impl Cover {
         }
         let of_master = master.piece(master_piece);
         let cut = window.cut((piece, place, master_piece), &of_master);
-        let Some((overlap, polygon)) = cut else { return };
+        let Some((mut overlap, polygon)) = cut else { return };
         // from the plane of one piece to that of the other, in the middle of the polygon
         let [x, y] = polygon.middle();
         let upon = window.in_space([x, y]);
@@ -172,6 +177,8 @@ impl Cover {
         let height = dot(sub(own, upon), window.normal);
         let gap = dot(sub(from, upon), plane.normal) / across - height;
         let faces = across < -STEEP;
+        let steep = if faces { (WHOLE + across) / (WHOLE - STEEP) } else { 0.0 };
+        overlap.counts = fading(steep);
         if !(faces && gap < -WITHIN * thin) {
             self.seen.push(Seen { overlap, polygon, gap, faces });
         }
@@ -203,7 +210,10 @@ impl Cover {
         };
         all.clear();
         all.extend(self.seen.iter().map(of));
-        self.seen.iter_mut().zip(&all).for_each(|(own, &by)| own.overlap.counts = by);
+        for (own, &by) in self.seen.iter_mut().zip(&all) {
+            own.overlap.counts *= by;
+            own.overlap.went_in_elsewhere = by < 1.0;
+        }
         self.seen.retain(|own| own.overlap.counts > 0.0);
         self.counts = all;
     }
@@ -216,11 +226,15 @@ impl Cover {
 
     fn leave_out_far(&mut self, window: &Window) {
         let nearest = self.seen.iter().map(|own| own.gap.abs()).fold(f64::INFINITY, f64::min);
-        let limit = nearest + 2.0 * window.area.sqrt();
-        self.seen.retain(|own| own.gap.abs() <= limit);
+        let breadth = window.area.sqrt();
+        for own in &mut self.seen {
+            let behind = (own.gap.abs() - nearest) / breadth;
+            own.overlap.counts *= fading((behind - FAR[0]) / (FAR[1] - FAR[0]));
+        }
+        self.seen.retain(|own| own.overlap.counts > 0.0);
     }
 
-    /// Leaves out what is behind nearer pieces.
+    /// Leaves out what is behind nearer pieces; what is so in part counts less.
     fn hide(&mut self, window: &Window) {
         if self.is_one_sheet(window) {
             return;
@@ -232,8 +246,11 @@ impl Cover {
             // pieces that are kept tile what they cover, so that common areas may be added
             let nearer = self.seen[..kept].iter();
             let hidden: f64 = nearer.map(|other| own.polygon.common(&other.polygon)).sum();
-            if hidden <= HIDDEN * own.polygon.area() {
+            let part = hidden / own.polygon.area();
+            let by = fading((part - HIDDEN[0]) / (HIDDEN[1] - HIDDEN[0]));
+            if by > 0.0 {
                 self.seen[kept] = own;
+                self.seen[kept].overlap.counts *= by;
                 kept += 1;
             }
         }
