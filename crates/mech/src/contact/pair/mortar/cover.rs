@@ -30,9 +30,17 @@ const MOST: usize = 60;
 #[derive(Debug, Clone, Default)]
 pub struct Cover {
     segments: Vec<Segment>,
-    gaps: Vec<f64>,
+    gaps: Vec<SegmentGap>,
     bounds: Vec<Bound>,
     spans: Vec<Span>,
+}
+
+/// How far a segment is away [L].
+#[derive(Debug, Clone, Copy)]
+struct SegmentGap {
+    middle: f64,
+    /// Where it is nearest: what has no width left has the gap of what is beside it.
+    nearest: f64,
 }
 
 /// What a curve covers of the face, seen along the normals.
@@ -131,20 +139,24 @@ impl Cover {
         }
     }
 
-    /// How far every segment is away in its middle, and how much of it counts by how it faces the slave.
+    /// How far every segment is away, and how much of it counts by how it faces the slave.
     fn weigh(&mut self, face: &MortarFace<'_, f64>, ends: &[MeanNormal<f64>; 2]) {
         let slave = face.curve();
         for segment in &mut self.segments {
-            let middle = 0.5 * (segment.bounds[0].at() + segment.bounds[1].at());
-            let (normal, at) = (field(ends, middle), slave.blend(&slave.shapes(middle).value));
             let curve = &face.curves[segment.curve];
-            let there = curve.crossed(at, normal).map(|eta| curve.shapes(eta));
-            let gap = there.map_or(f64::INFINITY, |there| {
-                let lacks = WHOLE - opposite(curve.blend(&there.slope), normal);
-                segment.counts *= fading(lacks / (WHOLE - FACING));
-                dot(sub(curve.blend(&there.value), at), normal) / dot(normal, normal).sqrt()
-            });
-            self.gaps.push(gap);
+            let at = |t: f64| {
+                let (normal, at) = (field(ends, t), slave.blend(&slave.shapes(t).value));
+                let there = curve.shapes(curve.crossed(at, normal)?);
+                let gap = dot(sub(curve.blend(&there.value), at), normal) / dot(normal, normal).sqrt();
+                Some((gap, opposite(curve.blend(&there.slope), normal)))
+            };
+            let bounds = segment.bounds.map(|bound| bound.at());
+            let gap = |t: f64| at(t).map_or(f64::INFINITY, |(gap, _)| gap);
+            let (middle, opposite) =
+                at(0.5 * (bounds[0] + bounds[1])).unwrap_or((f64::INFINITY, WHOLE));
+            segment.counts *= fading((WHOLE - opposite) / (WHOLE - FACING));
+            let nearest = bounds.into_iter().map(gap).fold(middle, f64::min);
+            self.gaps.push(SegmentGap { middle, nearest });
         }
     }
 
@@ -175,7 +187,7 @@ impl Cover {
             let (count, covered) = self.run_from(end);
             let all = self.segments.len();
             let run = if end == 0 { 0..count } else { all - count..all };
-            let depth = self.gaps[run.clone()].iter().fold(0.0, |depth: f64, gap| depth.max(-gap));
+            let depth = self.gaps[run.clone()].iter().fold(0.0, |depth: f64, gap| depth.max(-gap.middle));
             let by = if covered < 1.0 - SAME { counts(depth, covered * length) } else { 1.0 };
             if by == 0.0 {
                 self.segments.drain(run.clone());
@@ -215,10 +227,13 @@ impl Cover {
     /// foot of a step, and a cover that is next to nothing. On the way there it counts less and less.
     fn drop_far(&mut self, slave: &Curve<f64>) {
         let chord = sub(slave.end(1), slave.end(0));
-        let nearest = self.gaps.iter().copied().fold(f64::INFINITY, f64::min);
+        let far = self.gaps.iter().map(|gap| gap.middle).fold(f64::NEG_INFINITY, f64::max);
+        // what hardly counts does not say where the nearest part is
+        let of = |(own, gap): (&Segment, &SegmentGap)| far + own.counts * (gap.nearest - far);
+        let nearest = self.segments.iter().zip(&self.gaps).map(of).fold(f64::INFINITY, f64::min);
         let length = dot(chord, chord).sqrt();
         for (segment, gap) in self.segments.iter_mut().zip(&self.gaps) {
-            let behind = (gap - nearest) / length;
+            let behind = (gap.middle - nearest) / length;
             segment.counts *= fading((behind - FAR[0]) / (FAR[1] - FAR[0]));
         }
         self.segments.retain(|segment| segment.counts > 0.0);

@@ -71,6 +71,8 @@ struct Seen {
     overlap: Overlap,
     polygon: Polygon,
     gap: f64,
+    /// How far it is from the slave where it is nearest [L]: what has no breadth left has the gap of what is beside it.
+    nearest: f64,
     faces: bool,
 }
 
@@ -171,16 +173,20 @@ impl Cover {
         let cut = window.cut((piece, place, master_piece), &of_master);
         let Some((mut overlap, polygon)) = cut else { return };
         // from the plane of one piece to that of the other, in the middle of the polygon
-        let [x, y] = polygon.middle();
-        let upon = window.in_space([x, y]);
         let (from, own) = (of_master.nodes[0], slave.piece(piece).nodes[0]);
-        let height = dot(sub(own, upon), window.normal);
-        let gap = dot(sub(from, upon), plane.normal) / across - height;
+        let gap_at = |at: [f64; 2]| {
+            let upon = window.in_space(at);
+            let height = dot(sub(own, upon), window.normal);
+            dot(sub(from, upon), plane.normal) / across - height
+        };
+        let gap = gap_at(polygon.middle());
+        let corners = polygon.places().iter().map(|&at| gap_at(at).abs());
+        let nearest = corners.fold(gap.abs(), f64::min);
         let faces = across < -STEEP;
         let steep = if faces { (WHOLE + across) / (WHOLE - STEEP) } else { 0.0 };
         overlap.counts = fading(steep);
         if !(faces && gap < -WITHIN * thin) {
-            self.seen.push(Seen { overlap, polygon, gap, faces });
+            self.seen.push(Seen { overlap, polygon, gap, nearest, faces });
         }
     }
 
@@ -225,7 +231,10 @@ impl Cover {
     }
 
     fn leave_out_far(&mut self, window: &Window) {
-        let nearest = self.seen.iter().map(|own| own.gap.abs()).fold(f64::INFINITY, f64::min);
+        let far = self.seen.iter().map(|own| own.gap.abs()).fold(0.0, f64::max);
+        // what hardly counts does not say where the nearest part is
+        let of = |own: &Seen| far + own.overlap.counts * (own.nearest - far);
+        let nearest = self.seen.iter().map(of).fold(f64::INFINITY, f64::min);
         let breadth = window.area.sqrt();
         for own in &mut self.seen {
             let behind = (own.gap.abs() - nearest) / breadth;
