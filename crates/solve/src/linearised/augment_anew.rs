@@ -142,7 +142,8 @@ impl LinearisedContact {
             let next = self.rows.get(i + 1).and_then(Row::point);
             // where it slides in space, nothing stiffens it along its way
             let along = |direction: usize| slope(&work.laws.rows[i + 1 + direction], direction);
-            let sticks = |direction: usize| work.laws.rows[i + 1 + direction].by_multiplier[direction];
+            let sticks =
+                |direction: usize| work.laws.rows[i + 1 + direction].by_multiplier[direction];
             let tangential = match next == Some((place, Kind::Tangential(0))) {
                 true => (0..points.directions())
                     .min_by(|&a, &b| sticks(a).total_cmp(&sticks(b)))

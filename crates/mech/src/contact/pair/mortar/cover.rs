@@ -147,7 +147,8 @@ impl Cover {
             let at = |t: f64| {
                 let (normal, at) = (field(ends, t), slave.blend(&slave.shapes(t).value));
                 let there = curve.shapes(curve.crossed(at, normal)?);
-                let gap = dot(sub(curve.blend(&there.value), at), normal) / dot(normal, normal).sqrt();
+                let gap =
+                    dot(sub(curve.blend(&there.value), at), normal) / dot(normal, normal).sqrt();
                 Some((gap, opposite(curve.blend(&there.slope), normal)))
             };
             let bounds = segment.bounds.map(|bound| bound.at());
@@ -187,7 +188,8 @@ impl Cover {
             let (count, covered) = self.run_from(end);
             let all = self.segments.len();
             let run = if end == 0 { 0..count } else { all - count..all };
-            let depth = self.gaps[run.clone()].iter().fold(0.0, |depth: f64, gap| depth.max(-gap.middle));
+            let depth =
+                self.gaps[run.clone()].iter().fold(0.0, |depth: f64, gap| depth.max(-gap.middle));
             let by = if covered < 1.0 - SAME { counts(depth, covered * length) } else { 1.0 };
             if by == 0.0 {
                 self.segments.drain(run.clone());
@@ -237,8 +239,7 @@ impl Cover {
             segment.counts *= fading((behind - FAR[0]) / (FAR[1] - FAR[0]));
         }
         self.segments.retain(|segment| segment.counts > 0.0);
-        let part =
-            |own: &Segment| own.counts * (own.bounds[1].at() - own.bounds[0].at());
+        let part = |own: &Segment| own.counts * (own.bounds[1].at() - own.bounds[0].at());
         if self.segments.iter().map(part).sum::<f64>() < LEAST {
             self.segments.clear();
         }
