@@ -205,6 +205,9 @@ impl Friction {
         for place in 0..plan.contact.points.len() {
             let (old, new) = (&committed.points[place], &trial.points[place]);
             sum.dropped += new.dropped_work;
+            if old.traction == Tangential::ZERO && new.traction == Tangential::ZERO {
+                continue;
+            }
             let [before, after] = [old, new].map(|point| point.area * point.traction);
             if before == Tangential::ZERO && after == Tangential::ZERO {
                 continue;
