@@ -144,11 +144,13 @@ fn brought(plan: &Problem<'_>, committed: &State, trial: &State) -> f64 {
     }
     let states = committed.points.iter().zip(&trial.points);
     let of_point = |(point, (before, now)): (&SlavePoint, (&PointState, &PointState))| {
+        if before.closed || !now.closed || before.along.is_none() {
+            return 0.0;
+        }
         let law = &plan.contact.laws_of(point.pair, now).normal;
         let (from, to) = (-before.opening, -now.opening);
         let begins = law.contact_begins();
-        let comes = !before.closed && before.along.is_some() && begins.is_finite() && from > begins;
-        match comes && now.closed {
+        match begins.is_finite() && from > begins {
             true => now.area * (0.5 * now.pressure * (from - to) + law.energy(to)),
             false => 0.0,
         }

@@ -54,6 +54,14 @@ pub struct MovingEnd {
     points: Range<usize>,
 }
 
+/// How a point follows an end: which, by which part of its way, and by how much of its area that grows.
+#[derive(Clone, Copy, Debug)]
+struct Follows {
+    end: usize,
+    part: f64,
+    stretch: f64,
+}
+
 /// A closed integration point.
 #[derive(Clone, Debug)]
 pub struct MovingPoint {
@@ -66,8 +74,8 @@ pub struct MovingPoint {
     pub slides: f64,
     /// How its coordinates along the master do [L].
     pub along: Tangential,
-    /// Ends that it follows: which, by which part, and by how much of its area that one grows.
-    ends: [Option<(usize, f64, f64)>; 2],
+    /// The ends that it follows.
+    ends: [Option<Follows>; 2],
     /// How its force turns along the element, pressure and traction held [F].
     turned: Range<usize>,
     /// How the slip follows the dofs of the last commit [1].
@@ -77,18 +85,18 @@ pub struct MovingPoint {
 impl MovingPoint {
     /// How it moves along its element with rates of the ends.
     pub fn moves(&self, ends: &[f64]) -> f64 {
-        self.ends.iter().flatten().map(|&(end, part, _)| part * ends[end]).sum()
+        self.ends.iter().flatten().map(|own| own.part * ends[own.end]).sum()
     }
 
     /// How its area grows with them, in parts of it.
     pub fn stretches(&self, ends: &[f64]) -> f64 {
-        self.ends.iter().flatten().map(|&(end, _, stretch)| stretch * ends[end]).sum()
+        self.ends.iter().flatten().map(|own| own.stretch * ends[own.end]).sum()
     }
 
     /// The same with one of the ends alone.
     pub fn with_end(&self, end: usize) -> (f64, f64) {
-        let own = self.ends.iter().flatten().find(|own| own.0 == end);
-        own.map_or((0.0, 0.0), |&(_, part, stretch)| (part, stretch))
+        let own = self.ends.iter().flatten().find(|own| own.end == end);
+        own.map_or((0.0, 0.0), |own| (own.part, own.stretch))
     }
 }
 
@@ -191,7 +199,7 @@ impl MovingPoints {
                 return None;
             }
             let follows = |end: Option<usize>, part: f64, side: f64| {
-                end.map(|end| (end, part, side / length))
+                end.map(|end| Follows { end, part, stretch: side / length })
             };
             let ends = [follows(ends[0], 1.0 - t, -1.0), follows(ends[1], t, 1.0)];
             self.take_point(contact, u, (kinematics, points), (first + k, ends))?;
@@ -228,7 +236,7 @@ impl MovingPoints {
         contact: &Contact,
         [u, u_before]: [&[f64]; 2],
         (kinematics, points): (&ContactKinematics, &[PointState]),
-        (place, ends): (usize, [Option<(usize, f64, f64)>; 2]),
+        (place, ends): (usize, [Option<Follows>; 2]),
     ) -> Option<()> {
         let Self { points: all, entries, room, .. } = self;
         let (from, now) = (kinematics.at(place), &points[place]);
@@ -268,7 +276,7 @@ impl MovingPoints {
                 contact.stand_along(place, (xi, Some(facing)), u, room)?;
                 let beside = room.at(place);
                 own.closes += weight * beside.overclosure;
-                own.along = own.along + weight * beside.along;
+                own.along += weight * beside.along;
                 own.slides += weight * slip(beside.along, along_before)[0];
                 let forces = beside.rows.normal().iter().zip(beside.rows.force(0));
                 for (entry, (a, b)) in entries[own.turned.clone()].iter_mut().zip(forces) {

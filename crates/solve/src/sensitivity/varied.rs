@@ -14,7 +14,7 @@ use std::ops::Range;
 /// Steps of the pairs of neighbours that stand beside the base with its displacements, in scales of the
 /// parameter. Their square is truncation of how forces follow a section or a law; rounding grows with their
 /// inverse, but displacements have no part in it. The second one is asked where a law bends over the first.
-const BESIDE: [f64; 2] = [1e-5, 1e-6];
+const BESIDE: &[f64] = &[1e-5, 1e-6];
 /// Increments after which a larger step is tried again.
 const AGAIN: usize = 8;
 

@@ -252,8 +252,10 @@ impl Increment<'_> {
         equations.iter().zip(&*residual).for_each(|(&dof, rate)| tangent.moved[dof] = *rate);
         self.plan.constraints.expand(&base.evaluation.rows, &mut tangent.moved);
         border.give(defects, &mut rates.pressures, &mut rates.tractions);
-        for (side, step) in sides.iter_mut().zip(pair.steps()) {
-            side.move_estimates(base, (rates, step));
+        if border.multipliers() > 0 {
+            for (side, step) in sides.iter_mut().zip(pair.steps()) {
+                side.move_estimates(base, (rates, step));
+            }
         }
         Some(())
     }

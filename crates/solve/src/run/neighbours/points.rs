@@ -23,10 +23,10 @@ impl Increment<'_> {
         (room, moves): (&mut Room, impl Fn(usize) -> bool),
     ) {
         let Room { sides, moving, tangent: Moves { moved, ends, slips, .. }, .. } = room;
-        for (place, from) in base.evaluation.kinematics.iter().enumerate() {
-            if !from.faces || !moves(place) {
-                continue;
-            }
+        let facing = base.evaluation.kinematics.points().iter().enumerate();
+        let facing = facing.filter(|(place, point)| point.faces && moves(*place));
+        for (place, _) in facing {
+            let from = base.evaluation.kinematics.at(place);
             let along = |row: &[f64]| -> f64 {
                 from.rows.unknowns.iter().zip(row).map(|(&dof, own)| own * moved[dof]).sum()
             };
