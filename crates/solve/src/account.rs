@@ -144,11 +144,13 @@ fn brought(plan: &Problem<'_>, committed: &State, trial: &State) -> f64 {
     }
     let states = committed.points.iter().zip(&trial.points);
     let of_point = |(point, (before, now)): (&SlavePoint, (&PointState, &PointState))| {
+        if before.closed || !now.closed || before.along.is_none() {
+            return 0.0;
+        }
         let law = &plan.contact.laws_of(point.pair, now).normal;
         let (from, to) = (-before.opening, -now.opening);
         let begins = law.contact_begins();
-        let comes = !before.closed && before.along.is_some() && begins.is_finite() && from > begins;
-        match comes && now.closed {
+        match begins.is_finite() && from > begins {
             true => now.area * (0.5 * now.pressure * (from - to) + law.energy(to)),
             false => 0.0,
         }
@@ -205,6 +207,9 @@ impl Friction {
         for place in 0..plan.contact.points.len() {
             let (old, new) = (&committed.points[place], &trial.points[place]);
             sum.dropped += new.dropped_work;
+            if old.traction == Tangential::ZERO && new.traction == Tangential::ZERO {
+                continue;
+            }
             let [before, after] = [old, new].map(|point| point.area * point.traction);
             if before == Tangential::ZERO && after == Tangential::ZERO {
                 continue;

@@ -267,15 +267,27 @@ pub fn complete(
     open
 }
 
-/// What the laws of a point make of kinematics that are there already: its history, were the trial
-/// committed.
+/// What the laws of a point make of kinematics that are there already, and of a slip that may be
+/// known: its history, were the trial committed.
 pub fn follow_laws(
     plan: &Problem<'_>,
     at: (&State, &Trial<'_>),
-    place: usize,
+    (place, slip): (usize, Option<Tangential>),
     into: &mut Evaluation,
 ) {
-    into.points[place] = evaluate_point(plan, at, place, into);
+    let slip = slip.unwrap_or_else(|| slip_of(plan, at.0, place, into));
+    into.points[place] = evaluate_slipped(plan, at, (place, slip), into);
+}
+
+/// The slip of a point that has friction in a trial [L]. Without friction it is only told, and found at the
+/// commit.
+fn slip_of(plan: &Problem<'_>, committed: &State, place: usize, at: &Evaluation) -> Tangential {
+    let (point, kinematics) = (&plan.contact.points[place], &at.kinematics.points()[place]);
+    let before = &committed.points[place];
+    match kinematics.faces && plan.contact.laws_of(point.pair, before).has_friction() {
+        true => plan.contact.slip(place, &before.history(), kinematics, &committed.displacement),
+        false => Tangential::ZERO,
+    }
 }
 
 /// What a point does in a trial; writes its state variables of a user law.
@@ -285,15 +297,21 @@ fn evaluate_point(
     place: usize,
     into: &mut Evaluation,
 ) -> PointState {
+    let slip = slip_of(plan, committed, place, into);
+    evaluate_slipped(plan, (committed, trial), (place, slip), into)
+}
+
+/// The same with a slip that is known.
+fn evaluate_slipped(
+    plan: &Problem<'_>,
+    (committed, trial): (&State, &Trial<'_>),
+    (place, slip): (usize, Tangential),
+    into: &mut Evaluation,
+) -> PointState {
     let (point, kinematics) = (&plan.contact.points[place], &into.kinematics.points()[place]);
     let before = &committed.points[place];
     let laws = plan.contact.laws_of(point.pair, before);
     let estimate = (trial.pressures[place], trial.tractions[place]);
-    // Without friction the slip is only told, and found at the commit.
-    let slip = match kinematics.faces && laws.has_friction() {
-        true => plan.contact.slip(place, &before.history(), kinematics, &committed.displacement),
-        false => Tangential::ZERO,
-    };
     let mut encounter = Encounter { plan, laws, before, kinematics, estimate, slip, dt: trial.dt };
     let range = point.state_variables..point.state_variables + point.state_size;
     let mut state_variables = UserState {

@@ -27,6 +27,7 @@ use crate::structure::{Configuration, Contributions, Gather, Keep};
 use slideline_diag::{Code, Diagnostic};
 use slideline_mech::contact::friction::Traction;
 use slideline_mech::contact::pair::{Laws, PointTrial, UserState};
+use slideline_mech::contact::tangential::Tangential;
 use slideline_model::{Dof, NodeIndex};
 
 mod kept;
@@ -276,11 +277,22 @@ impl Place<'_> {
     /// pressure; whether friction is called, and whether it sticks exactly, is
     /// as in the converged state.
     pub fn law(&self, place: usize, kinematics: &PointKinematics) -> ((f64, Traction), f64) {
+        let before = &self.committed.points[place].history();
+        let u = &self.committed.displacement;
+        self.law_with(place, kinematics, self.plan.contact.slip(place, before, kinematics, u))
+    }
+
+    /// The same where the slip of the increment is known.
+    pub fn law_with(
+        &self,
+        place: usize,
+        kinematics: &PointKinematics,
+        slip: Tangential,
+    ) -> ((f64, Traction), f64) {
         let Place { plan, committed, trial, evaluation } = self;
         let point = &plan.contact.points[place];
         let laws: &Laws = plan.contact.laws_of(point.pair, &committed.points[place]);
         let (before, now) = (&committed.points[place].history(), &evaluation.points[place]);
-        let slip = plan.contact.slip(place, before, kinematics, &committed.displacement);
         let slope = match kinematics.faces {
             true => laws.normal.pressure(kinematics.overclosure).map_or(0.0, |(_, slope)| slope),
             false => 0.0,

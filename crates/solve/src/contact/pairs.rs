@@ -190,15 +190,6 @@ pub fn contact_sizes(model: &Model) -> [usize; 2] {
 }
 
 impl Contact {
-    /// Whether all points are nodes in the plane that obey laws of the house, with nothing allowed
-    /// of their overclosures: their rows and tractions tell all of their motion.
-    pub fn is_at_nodes_of_the_plane(&self) -> bool {
-        self.directions == 1
-            && self.allowances.is_empty()
-            && self.points.iter().all(SlavePoint::is_node)
-            && self.laws.iter().all(|laws| laws.user.is_none())
-    }
-
     /// Adds a point without its numbers.
     pub(super) fn add_point(
         &mut self,

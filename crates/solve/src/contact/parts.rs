@@ -15,9 +15,8 @@ use super::pairs::Contact;
 use super::thicknesses::Thicknesses;
 use slideline_mech::contact::search::tree::{Bounds, BoxTree};
 use slideline_mech::vector::{Vector, add, cross, scale, size, sub};
-use slideline_model::{Kinematics, Master, Model, NodeIndex};
+use slideline_model::{Kinematics, Master, Model, NodeIndex, Numbered};
 use std::cell::Cell;
-use std::collections::HashMap;
 
 /// Part of a face beside it that still belongs to it: meshes have faces middle upon node [1].
 const BESIDE: f64 = 1e-9;
@@ -32,7 +31,7 @@ struct Face {
 struct Parts {
     faces: Vec<Face>,
     /// Which of them has these nodes, the lower one first: both ends, or one and the middle node.
-    places: HashMap<[NodeIndex; 2], usize>,
+    places: Numbered<(NodeIndex, NodeIndex), usize>,
     tree: BoxTree<3>,
 }
 
@@ -70,11 +69,11 @@ impl Contact {
 impl Parts {
     fn new(model: &Model) -> Self {
         let part = joined(model);
-        let mut known: HashMap<[NodeIndex; 2], usize> = HashMap::new();
+        let mut known: Numbered<(NodeIndex, NodeIndex), usize> = Numbered::default();
         let all = || sides(model);
         all()
             .for_each(|side| *known.entry(sorted(side[0], side[side.len() - 1])).or_default() += 1);
-        let (mut faces, mut places) = (Vec::new(), HashMap::new());
+        let (mut faces, mut places) = (Vec::new(), Numbered::default());
         for side in all() {
             let (first, last) = (side[0], side[side.len() - 1]);
             if known[&sorted(first, last)] == 1 {
@@ -171,8 +170,8 @@ fn joined(model: &Model) -> Vec<NodeIndex> {
     (0..above.len()).map(|node| top(&mut above, node)).collect()
 }
 
-fn sorted(a: NodeIndex, b: NodeIndex) -> [NodeIndex; 2] {
-    [a.min(b), a.max(b)]
+fn sorted(a: NodeIndex, b: NodeIndex) -> (NodeIndex, NodeIndex) {
+    (a.min(b), a.max(b))
 }
 
 #[cfg(test)]

@@ -183,6 +183,11 @@ impl SlaveSegment {
         cells.map(move |(_, weight)| whole * weight / CELLS as f64)
     }
 
+    /// Whether it lies along a beam.
+    pub fn is_of_beam(&self) -> bool {
+        matches!(self.line, Along::Beam(_))
+    }
+
     /// The dofs that it follows directly.
     pub fn own_dofs(&self) -> &[usize] {
         &self.dofs[..self.line.width()]

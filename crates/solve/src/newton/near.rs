@@ -92,16 +92,16 @@ impl Scratch {
         self.tractions.extend(tractions.map(|(&traction, &rate)| traction + h * rate));
     }
 
-    /// Asks the laws of contact points whose kinematics are there already.
+    /// Asks the laws of contact points whose kinematics, and maybe slips, are there already.
     pub fn follow_laws_at(
         &mut self,
         plan: &Problem<'_>,
         committed: &State,
-        places: impl Iterator<Item = usize>,
+        places: impl Iterator<Item = (usize, Option<Tangential>)>,
     ) {
         let mut evaluation = std::mem::take(&mut self.evaluation);
         let trial = self.trial(committed, self.dt);
-        places.for_each(|place| follow_laws(plan, (committed, &trial), place, &mut evaluation));
+        places.for_each(|own| follow_laws(plan, (committed, &trial), own, &mut evaluation));
         self.evaluation = evaluation;
     }
 

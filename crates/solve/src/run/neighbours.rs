@@ -10,10 +10,12 @@
 
 mod by_tangent;
 mod increment;
+mod points;
 mod room;
 mod settle;
 mod told;
 
+use crate::contact::MovingPoints;
 use crate::newton::Scratch;
 use crate::observe::{Event, Near, Observer, Sensitivity, Stop};
 use crate::sensitivity::{
@@ -21,8 +23,7 @@ use crate::sensitivity::{
 };
 use crate::state::PointState;
 use crate::tangent::{self, Kept};
-use by_tangent::Pair;
-use increment::{Found, Linear};
+use increment::{Found, Linear, Pair};
 use slideline_linalg::{SolveError, Solver};
 use std::cell::OnceCell;
 use std::ops::ControlFlow;
@@ -61,25 +62,51 @@ impl Increment<'_> {
         kept: &mut Kept,
         observer: &mut dyn Observer,
     ) -> ControlFlow<Stop> {
-        let least_force = &mut room.least_force;
-        let Ok((border, solver)) = self.linearise(base, work, (least_force, &mut *kept)) else {
+        let Room { least_force, moving, .. } = &mut *room;
+        let is_told = self.is_told_by_tangent(base) && self.moves_along(base, moving);
+        if !is_told {
+            moving.clear();
+        }
+        let of_tangent = (least_force, &mut *kept, &*moving);
+        let Ok((border, solver)) = self.linearise(base, work, of_tangent) else {
             varied.courses.iter_mut().for_each(|own| own.is_lost = true);
             return ControlFlow::Continue(());
         };
         let mut linear = Linear { border, base, solver };
         self.leave_alone(base, &mut room.alone);
-        let is_told = self.is_told_by_tangent(base);
         for course in 0..varied.courses.len() {
             if varied.courses[course].is_lost {
                 continue;
             }
             let of = (&mut *varied, course);
-            if is_told && self.course_by_tangent(of, (&mut linear, &*kept), room, observer)? {
+            if is_told && self.course_by_pairs(of, (&mut linear, &*kept), room, observer)? {
                 continue;
             }
             self.course((varied, course), &mut linear, room, observer)?;
         }
         ControlFlow::Continue(())
+    }
+
+    /// Differentiates by a parameter with the tangent and the first pair over which nothing bends;
+    /// whether one told.
+    fn course_by_pairs(
+        &self,
+        (varied, course): (&mut Varied, usize),
+        (linear, kept): (&mut Linear<'_>, &Kept),
+        room: &mut Room,
+        observer: &mut dyn Observer,
+    ) -> ControlFlow<Stop, bool> {
+        for place in varied.courses[course].pairs(self.target.increment) {
+            if !varied.has_pair(course, place, self.model) {
+                break;
+            }
+            let of = (&mut *varied, course, place);
+            if self.course_by_tangent(of, (&mut *linear, kept), room, observer)? {
+                varied.courses[course].note_pair(place);
+                return ControlFlow::Continue(true);
+            }
+        }
+        ControlFlow::Continue(false)
     }
 
     /// Open points that bear on nothing: they are looked at once the rates are known.
@@ -95,14 +122,14 @@ impl Increment<'_> {
         &self,
         base: &Scratch,
         work: &'w mut Scratch,
-        (least_force, kept): (&mut f64, &mut Kept),
+        (least_force, kept, moving): (&mut f64, &mut Kept, &MovingPoints),
     ) -> Result<(Border, &'w mut Solver), SolveError> {
         let (plan, committed) = (self.plan, self.old);
         let trial = base.trial(committed, self.target.dt);
         let place = tangent::Place { plan, committed, trial, evaluation: &base.evaluation };
         let mut values = tangent::assembled(&place, kept);
         *least_force = room::least_force(plan, &values, self.new);
-        let mut border = Border::of(&place);
+        let mut border = Border::of(&place, moving);
         border.lend(plan, &mut values);
         let equations = plan.constraints.equations();
         let solver = work.factor_converged(plan, &values)?;
@@ -110,10 +137,10 @@ impl Increment<'_> {
         Ok((border, solver))
     }
 
-    /// Differentiates by a parameter with the tangent; whether it told.
+    /// Differentiates by a parameter with the tangent and a pair; whether it told.
     fn course_by_tangent(
         &self,
-        (varied, course): (&mut Varied, usize),
+        (varied, course, place): (&mut Varied, usize, usize),
         (linear, kept): (&mut Linear<'_>, &Kept),
         room: &mut Room,
         observer: &mut dyn Observer,
@@ -123,7 +150,7 @@ impl Increment<'_> {
         let scale = own.parameter.scale;
         let mut rates = std::mem::take(&mut room.rates_of_state);
         let mut told = false;
-        if let Some((level, touched, known)) = own.beside(self.plan.start) {
+        if let Some((level, touched, known)) = own.beside(place, self.plan.start) {
             let around: [Surroundings<'_>; 2] = self.surroundings(level, known, room);
             let problems = around.each_ref().map(|own| own.problem(self.plan, self.target.step));
             let pair = Pair { problems: &problems, touched, known, h: level.h };
@@ -153,7 +180,7 @@ impl Increment<'_> {
     }
 
     /// Differentiates by a parameter with four neighbours: where contact is spread over faces or
-    /// along elements, lies in space, is stabilised or has laws from outside; where elements have
+    /// along rigid profiles, lies in space, is stabilised or has laws from outside; where elements have
     /// histories, kinks or laws from outside; where the parameter moves places; about kinks.
     fn course(
         &self,

@@ -4,10 +4,12 @@
 //!   | K + F k G   F | |   du  |   | -R' |      G: gaps of hard contact, slips of exact stick
 //!   |     G       0 | | q     | = | -c' |      F: the forces of their multipliers
 //!                                              dlambda = q + k G du
+//!   an end of a closed part:   F: the forces that it moves,  G du - q = -c',  q its rate
 //! ```
 //!
 //! docs/theory.md eqs (13.3) and (13.4).
 
+use crate::contact::MovingPoints;
 use crate::newton::augmentation_stiffness;
 use crate::observe::results::{FrictionCall, Status};
 use crate::problem::Problem;
@@ -24,6 +26,8 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 enum Held {
     Gap,
     Slip(usize),
+    /// An end of the closed part of a cell, among those that move.
+    End,
 }
 
 /// A row of the border.
@@ -33,6 +37,8 @@ struct Row {
     held: Held,
     /// Stiffness that the row lends to the tangent [F/L3].
     lent: f64,
+    /// What its unknown counts in the row itself: that of an end, minus one; others, nothing.
+    own: f64,
     /// Derivatives of gap or slip by equations [1].
     gradient: Vec<(usize, f64)>,
     /// Forces of a unit of its multiplier on equations [L2].
@@ -48,13 +54,42 @@ pub struct Border {
 }
 
 impl Border {
-    /// The rows of a converged trial.
-    pub fn of(place: &Place<'_>) -> Self {
+    /// The rows of a converged trial, those of moving ends last.
+    pub fn of(place: &Place<'_>, moving: &MovingPoints) -> Self {
         let mut border = Self::default();
         for point in 0..place.plan.contact.points.len() {
             border.add(place, point);
         }
+        (0..moving.ends().len()).for_each(|end| border.add_end(place, (moving, end)));
         border
+    }
+
+    /// Adds an end of the closed part of a cell, xi' - row u' = what holds of it with the unknowns
+    /// held: docs/theory.md section 13, along beams.
+    fn add_end(&mut self, at: &Place<'_>, (moving, end): (&MovingPoints, usize)) {
+        let mut force = Vec::new();
+        for own in moving.of_end(end) {
+            let (part, stretch) = own.with_end(end);
+            let kinematics = at.evaluation.kinematics.at(own.place);
+            let ((pressure, traction), slope) = at.law_with(own.place, &kinematics, own.slip);
+            let presses = slope * own.closes;
+            let rubs = traction.d_tau_d_slip.at(0, 0) * own.slides
+                + traction.d_tau_d_pressure[0] * presses;
+            let normal = kinematics.area * (part * presses + stretch * pressure);
+            let tangential = kinematics.area * (part * rubs + stretch * traction.tau[0]);
+            let rows = kinematics.rows;
+            let forces = rows.normal().iter().zip(rows.force(0));
+            let forces = forces.map(|(a, b)| normal * a + tangential * b);
+            let turned = moving.turned(own).iter().map(|&(dof, force)| (dof, part * force));
+            for (dof, force_on) in rows.unknowns.iter().copied().zip(forces).chain(turned) {
+                add_to_equations(at, (dof, force_on), &mut force);
+            }
+        }
+        let mut gradient = Vec::new();
+        let row = moving.row(end).iter();
+        row.for_each(|&(dof, by)| add_to_equations(at, (dof, by), &mut gradient));
+        let (held, lent, own) = (Held::End, 0.0, -1.0);
+        self.rows.push(Row { place: 0, held, lent, own, gradient, force });
     }
 
     fn add(&mut self, at: &Place<'_>, place: usize) {
@@ -69,20 +104,14 @@ impl Border {
         let rows = kinematics.rows;
         let over_equations = |of: &dyn Fn(usize) -> f64| {
             let mut list: Vec<(usize, f64)> = Vec::new();
-            for (k, &dof) in rows.unknowns.iter().enumerate() {
-                let own = of(k);
-                plan.constraints.for_each_equation(
-                    &at.evaluation.rows,
-                    dof,
-                    &mut |equation, factor: f64| list.push((equation, factor * own)),
-                );
-            }
+            let each = rows.unknowns.iter().enumerate();
+            each.for_each(|(k, &dof)| add_to_equations(at, (dof, of(k)), &mut list));
             list
         };
         let moves = |list: &[(usize, f64)]| list.iter().any(|(_, value)| *value != 0.0);
         let mut push = |held, gradient: Vec<(usize, f64)>, force: Vec<(usize, f64)>| {
             if moves(&gradient) {
-                self.rows.push(Row { place, held, lent, gradient, force });
+                self.rows.push(Row { place, held, lent, own: 0.0, gradient, force });
             }
         };
         if laws.normal.pressure(kinematics.overclosure).is_none() {
@@ -115,7 +144,7 @@ impl Border {
     /// Lends the stiffness of the rows to matrix values.
     pub fn lend(&self, plan: &Problem<'_>, values: &mut [f64]) {
         let pattern = plan.pattern;
-        for row in &self.rows {
+        for row in self.rows.iter().filter(|row| row.lent != 0.0) {
             for &(i, force) in &row.force {
                 for &(j, gradient) in &row.gradient {
                     if let Some(at) = pattern.position(i, j) {
@@ -144,6 +173,7 @@ impl Border {
             for j in 0..count {
                 matrix[i * count + j] = row.along(&self.response[j * equations..]);
             }
+            matrix[i * count + i] -= row.own;
         }
         self.factors.factor();
         Ok(())
@@ -190,6 +220,8 @@ impl Border {
                 * match row.held {
                     Held::Gap => -point.opening,
                     Held::Slip(d) => (point.slip - committed.points[row.place].slip)[d],
+                    // the ends that an evaluation finds are those of its displacements
+                    Held::End => 0.0,
                 };
         }
     }
@@ -200,9 +232,26 @@ impl Border {
             match row.held {
                 Held::Gap => pressures[row.place] += change,
                 Held::Slip(d) => tractions[row.place].0[d] += change,
+                Held::End => {}
             }
         }
     }
+
+    /// The part of a list with a number a row that is of ends.
+    pub fn ends<'a>(&self, rows: &'a mut [f64]) -> &'a mut [f64] {
+        &mut rows[self.multipliers()..]
+    }
+
+    /// How many rows are of multipliers: those before the ends.
+    pub fn multipliers(&self) -> usize {
+        self.rows.iter().position(|row| row.held == Held::End).unwrap_or(self.rows.len())
+    }
+}
+
+/// Adds what a number at a dof is at equations.
+fn add_to_equations(at: &Place<'_>, (dof, own): (usize, f64), list: &mut Vec<(usize, f64)>) {
+    let add = &mut |equation, factor: f64| list.push((equation, factor * own));
+    at.plan.constraints.for_each_equation(&at.evaluation.rows, dof, add);
 }
 
 impl Row {

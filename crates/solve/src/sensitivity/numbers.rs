@@ -2,6 +2,7 @@
 
 use crate::start::Start;
 use crate::state::{PointState, State};
+use Numbers::{Moving, Still};
 use slideline_mech::contact::pair::Footing;
 use slideline_mech::element::Temperature;
 use slideline_mech::turn::Turn;
@@ -23,11 +24,28 @@ pub fn move_start(from: &Start<'_>, (by, h): (&[f64], f64)) -> Start<'static> {
     moved
 }
 
+/// Numbers of a state, or how many that are still: those of points that were never touched.
+enum Numbers<'a> {
+    Moving(&'a mut [f64]),
+    Still(usize),
+}
+
+impl Numbers<'_> {
+    fn count(&self) -> usize {
+        match self {
+            Moving(numbers) => numbers.len(),
+            Still(count) => *count,
+        }
+    }
+}
+
 /// Moves numbers by the first of the rates, which are then used.
 #[inline]
-fn move_numbers(numbers: &mut [f64], (rates, h): (&mut &[f64], f64)) {
-    let (own, rest) = rates.split_at(numbers.len().min(rates.len()));
-    numbers.iter_mut().zip(own).for_each(|(value, rate)| *value += h * rate);
+fn move_numbers(numbers: Numbers<'_>, (rates, h): (&mut &[f64], f64)) {
+    let (own, rest) = rates.split_at(numbers.count().min(rates.len()));
+    if let Moving(numbers) = numbers {
+        numbers.iter_mut().zip(own).for_each(|(value, rate)| *value += h * rate);
+    }
     *rates = rest;
 }
 
@@ -44,27 +62,57 @@ pub fn combine_states<'a>(states: impl Iterator<Item = (f64, &'a mut State)>, in
 }
 
 /// The rates of a state between two neighbours, those of its lists of dofs being known.
-pub fn rates_between<'a>(
-    states: impl Iterator<Item = (f64, &'a mut State)>,
+pub fn rates_between(
+    [one, other]: [(f64, &mut State); 2],
     lists: [&[f64]; LISTS],
     into: &mut Vec<f64>,
 ) {
-    let begin = lists.iter().map(|list| list.len()).sum();
-    let mut end = begin;
-    into.resize(begin, 0.0);
-    into[begin..].fill(0.0);
-    let mut rest = &mut into[..begin];
+    let mut begin = 0;
+    let count = lists.iter().map(|list| list.len()).sum();
+    into.resize(into.len().max(count), 0.0);
     for list in lists {
-        let (own, behind) = rest.split_at_mut(list.len());
-        own.copy_from_slice(list);
-        rest = behind;
+        into[begin..][..list.len()].copy_from_slice(list);
+        begin += list.len();
     }
-    for (weight, state) in states {
-        let mut place = begin;
-        each_beyond_dofs(state, &mut |numbers| add(into, &mut place, (weight, numbers)));
-        end = place;
+    let mut place = begin;
+    each_beyond_dofs(one.1, &mut |numbers| put(into, &mut place, (one.0, numbers)));
+    into.truncate(place);
+    place = begin;
+    each_beyond_dofs(other.1, &mut |numbers| complete(into, &mut place, (other.0, numbers)));
+    into.truncate(place);
+}
+
+/// Writes weighted numbers from a place on, which moves behind them.
+#[inline]
+fn put(into: &mut Vec<f64>, place: &mut usize, (weight, numbers): (f64, Numbers<'_>)) {
+    let end = *place + numbers.count();
+    if into.len() < end {
+        into.resize(end, 0.0);
     }
-    finish(into, begin..end);
+    let sums = &mut into[*place..end];
+    match numbers {
+        Moving(numbers) => {
+            sums.iter_mut().zip(numbers).for_each(|(sum, value)| *sum = weight * *value);
+        }
+        Still(_) => sums.fill(0.0),
+    }
+    *place = end;
+}
+
+/// Adds the last ones; what is infinite in all counts as still.
+#[inline]
+fn complete(into: &mut Vec<f64>, place: &mut usize, (weight, numbers): (f64, Numbers<'_>)) {
+    let end = *place + numbers.count();
+    if into.len() < end {
+        into.resize(end, 0.0);
+    }
+    if let Moving(numbers) = numbers {
+        for (sum, value) in into[*place..end].iter_mut().zip(numbers) {
+            let all = *sum + weight * *value;
+            *sum = if all.is_finite() { all } else { 0.0 };
+        }
+    }
+    *place = end;
 }
 
 /// Adds weighted beginnings of a step.
@@ -84,13 +132,15 @@ pub fn combine_starts<'a>(
 
 /// Adds weighted numbers from a place on, which moves behind them.
 #[inline]
-fn add(into: &mut Vec<f64>, place: &mut usize, (weight, numbers): (f64, &[f64])) {
-    let end = *place + numbers.len();
+fn add(into: &mut Vec<f64>, place: &mut usize, (weight, numbers): (f64, Numbers<'_>)) {
+    let end = *place + numbers.count();
     if into.len() < end {
         into.resize(end, 0.0);
     }
-    let sums = into[*place..end].iter_mut().zip(numbers);
-    sums.for_each(|(sum, value)| *sum += weight * value);
+    if let Moving(numbers) = numbers {
+        let sums = into[*place..end].iter_mut().zip(numbers);
+        sums.for_each(|(sum, value)| *sum += weight * *value);
+    }
     *place = end;
 }
 
@@ -185,20 +235,34 @@ pub fn bend(states: &[State; 4], base: &State, steps: (f64, f64), least_force: f
 
 /// How many numbers of a state are lists of all dofs.
 const LISTS: usize = 5;
+/// How many numbers a contact point has, where it faces nothing.
+const OF_POINT: usize = 19;
 
 /// Calls with the numbers of a state, list by list, displacements first.
-fn each_of_state(state: &mut State, call: &mut impl FnMut(&mut [f64])) {
+fn each_of_state(state: &mut State, call: &mut impl FnMut(Numbers<'_>)) {
     let State { displacement, increment, increment_before, reaction, load, .. } = state;
     let of_dofs: [_; LISTS] = [displacement, increment, increment_before, reaction, load];
-    of_dofs.into_iter().for_each(|list| call(list));
+    of_dofs.into_iter().for_each(|list| call(Moving(list)));
     each_beyond_dofs(state, call);
 }
 
 /// The same without the lists of dofs.
-fn each_beyond_dofs(state: &mut State, call: &mut impl FnMut(&mut [f64])) {
+fn each_beyond_dofs(state: &mut State, call: &mut impl FnMut(Numbers<'_>)) {
     let State { state_variables, elements, damping, .. } = state;
-    [state_variables, elements, damping].into_iter().for_each(|list| call(list));
-    state.points.iter_mut().for_each(|point| each_of_point(point, call));
+    [state_variables, elements, damping].into_iter().for_each(|list| call(Moving(list)));
+    let mut untouched = 0;
+    for point in &mut state.points {
+        if point.is_untouched() && point.along.is_none() && point.footing.is_none() {
+            untouched += 1;
+            continue;
+        }
+        if untouched > 0 {
+            call(Still(untouched * OF_POINT));
+            untouched = 0;
+        }
+        each_of_point(point, call);
+    }
+    call(Still(untouched * OF_POINT));
     each_temperature(&mut state.temperatures, call);
     state.turns.iter_mut().for_each(|turn| each_of_turn(turn, call));
     let energy = &mut state.energy;
@@ -216,15 +280,18 @@ fn each_beyond_dofs(state: &mut State, call: &mut impl FnMut(&mut [f64])) {
         &mut energy.removed_energy,
         &mut energy.balance,
     ];
-    energies.into_iter().chain(&mut state.balance_origin).for_each(|own| call(from_mut(own)));
+    energies
+        .into_iter()
+        .chain(&mut state.balance_origin)
+        .for_each(|own| call(Moving(from_mut(own))));
 }
 
 #[inline]
-fn each_of_point(point: &mut PointState, call: &mut impl FnMut(&mut [f64])) {
+fn each_of_point(point: &mut PointState, call: &mut impl FnMut(Numbers<'_>)) {
     let PointState { traction: t, elastic_slip: e, slip: s, position: x, normal: n, .. } = *point;
     let PointState { pressure, opening, allowed, dissipated, dropped_work, area, xi, .. } = *point;
     // all at once: most states are lists of points
-    let mut numbers = [
+    let mut numbers: [f64; OF_POINT] = [
         pressure,
         opening,
         allowed,
@@ -245,7 +312,7 @@ fn each_of_point(point: &mut PointState, call: &mut impl FnMut(&mut [f64])) {
         n[1],
         n[2],
     ];
-    call(&mut numbers);
+    call(Moving(&mut numbers));
     let [of_laws @ .., x0, x1, x2, n0, n1, n2] = numbers;
     let [pressure, opening, allowed, lost, dropped_work, area, xi, t0, t1, e0, e1, s0, s1] =
         of_laws;
@@ -255,33 +322,33 @@ fn each_of_point(point: &mut PointState, call: &mut impl FnMut(&mut [f64])) {
     (point.traction.0, point.elastic_slip.0, point.slip.0) = ([t0, t1], [e0, e1], [s0, s1]);
     (point.position, point.normal) = ([x0, x1, x2], [n0, n1, n2]);
     let PointState { along, footing, .. } = point;
-    along.iter_mut().for_each(|own| call(&mut own.0));
+    along.iter_mut().for_each(|own| call(Moving(&mut own.0)));
     let Some(Footing { place, normal, direction, bearing }) = footing else { return };
-    call(&mut place.at);
-    call(normal);
-    call(direction);
-    call(bearing);
+    call(Moving(&mut place.at));
+    call(Moving(normal));
+    call(Moving(direction));
+    call(Moving(bearing));
 }
 
-fn each_temperature(list: &mut [Temperature], call: &mut impl FnMut(&mut [f64])) {
+fn each_temperature(list: &mut [Temperature], call: &mut impl FnMut(Numbers<'_>)) {
     for own in list {
-        call(from_mut(&mut own.value));
-        call(from_mut(&mut own.slope));
+        call(Moving(from_mut(&mut own.value)));
+        call(Moving(from_mut(&mut own.slope)));
     }
 }
 
-fn each_of_turn(turn: &mut Turn, call: &mut impl FnMut(&mut [f64])) {
-    call(&mut turn.start);
-    call(&mut turn.before);
+fn each_of_turn(turn: &mut Turn, call: &mut impl FnMut(Numbers<'_>)) {
+    call(Moving(&mut turn.start));
+    call(Moving(&mut turn.before));
 }
 
-fn each_of_start(start: &mut Start<'static>, call: &mut impl FnMut(&mut [f64])) {
-    call(start.displacement.to_mut());
-    call(start.released.to_mut());
+fn each_of_start(start: &mut Start<'static>, call: &mut impl FnMut(Numbers<'_>)) {
+    call(Moving(start.displacement.to_mut()));
+    call(Moving(start.released.to_mut()));
     each_temperature(start.temperatures.to_mut(), call);
     for own in start.references.to_mut() {
-        call(&mut own.displacement);
-        own.turned.iter_mut().for_each(|turned| call(turned));
+        call(Moving(&mut own.displacement));
+        own.turned.iter_mut().for_each(|turned| call(Moving(turned)));
         each_temperature(&mut own.temperatures, call);
     }
 }

@@ -71,9 +71,7 @@ fn touch(model: &Model, near: [&Model; 2], block: usize) -> Touch {
 /// there alike.
 fn is_placed_alike(one: &Model, other: &Model) -> bool {
     let alike = |(one, other): (&ContactPair, &ContactPair)| {
-        one.master == other.master
-            && one.offset == other.offset
-            && one.interaction.width == other.interaction.width
+        one.master == other.master && one.offset == other.offset
     };
     let steps = one.steps.iter().zip(&other.steps);
     one.nodes == other.nodes

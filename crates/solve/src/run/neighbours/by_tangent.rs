@@ -11,57 +11,43 @@
 //! Nothing is evaluated at displacements that were moved, so that elements cost what a parameter
 //! touches of them and rounding of places has no part in it. docs/theory.md section 13.
 
-use super::increment::{Increment, Linear};
+use super::increment::{Increment, Linear, Pair};
 use super::room::{Moves, Room};
 use crate::commit::commit;
 use crate::constraints::{Role, Rows};
+use crate::contact::{MovingPoints, PointKinematics};
 use crate::evaluate::zero;
 use crate::moments::turn_moments;
 use crate::newton::Scratch;
 use crate::problem::Problem;
-use crate::sensitivity::{
-    Bend, PAIR, Sides, Touch, Touched, is_same_branch, leaves_hard_branch, rates_between,
-};
+use crate::sensitivity::{Bend, Touch, is_same_branch, leaves_hard_branch, rates_between};
 use crate::state::PointState;
 use crate::structure::{Ambient, Configuration};
-use crate::tangent::{Kept, Place};
+use crate::tangent::Kept;
 use slideline_mech::contact::tangential::Tangential;
 
 /// How much pressures and tractions may bend over the pair [1]: of a smooth law it is the step over the
 /// length on which the law changes.
 const SMOOTH: f64 = 1e-3;
 
-/// Two neighbours, with their step.
-pub struct Pair<'a> {
-    pub problems: &'a [Problem<'a>; 2],
-    pub touched: &'a Touched,
-    /// Rates of the state before.
-    pub known: &'a [f64],
-    pub h: f64,
-}
-
-impl Pair<'_> {
-    /// What each counts.
-    pub fn weights(&self) -> Sides {
-        PAIR.map(|side| 0.5 * side / self.h)
-    }
-
-    fn steps(&self) -> Sides {
-        PAIR.map(|side| side * self.h)
-    }
-}
-
 impl Increment<'_> {
     /// Whether the tangent tells all of this increment: of elements without histories, of contact at
-    /// nodes of the plane.
+    /// nodes and along beams in the plane.
     pub fn is_told_by_tangent(&self, base: &Scratch) -> bool {
         let (plan, new) = (self.plan, self.new);
         new.elements.is_empty()
             && new.turns.is_empty()
             && plan.structure.references.is_empty()
-            && plan.contact.is_at_nodes_of_the_plane()
+            && plan.contact.is_told_by_rows()
             && plan.contact.edges_are_open(&base.evaluation.points)
             && !base.is_stabilised()
+    }
+
+    /// How integration points follow the closed parts of their cells; whether that can be told.
+    pub fn moves_along(&self, base: &Scratch, moving: &mut MovingPoints) -> bool {
+        let (u, evaluation) = ([&base.u[..], &self.old.displacement[..]], &base.evaluation);
+        let points = (&evaluation.kinematics, &evaluation.points[..]);
+        moving.take(self.plan.contact, u, points).is_some()
     }
 
     /// The rates of the unknowns and of the state, the latter into `into`; `None`: a neighbour stands on
@@ -79,6 +65,8 @@ impl Increment<'_> {
         let base = linear.base;
         self.move_prescribed(pair, base, room);
         let stored = self.touch_elements(pair, base, room)?;
+        zero(&mut room.tangent.ends, room.moving.ends().len());
+        zero(&mut room.tangent.slips, self.new.points.len());
         self.move_points(pair, base, (room, |place| base.evaluation.points[place].closed));
         self.hold_laws(pair, (base, kept), room);
         self.collect_forces(pair, (base, kept), room);
@@ -113,7 +101,8 @@ impl Increment<'_> {
         load.clear();
         load.extend(loads.map(|(one, other)| below * one + above * other));
         let lists = [&moved[..], increment, increment_before, force, load];
-        rates_between(pair.weights().into_iter().zip(after), lists, into);
+        let [one, other, ..] = after;
+        rates_between([(below, one), (above, other)], lists, into);
         Some(())
     }
 
@@ -167,81 +156,12 @@ impl Increment<'_> {
         Some(stored)
     }
 
-    /// Moves points that are asked for, and that face their masters, along their rows.
-    fn move_points(
-        &self,
-        pair: &Pair<'_>,
-        base: &Scratch,
-        (room, moves): (&mut Room, impl Fn(usize) -> bool),
-    ) {
-        let Room { sides, tangent: Moves { moved, .. }, .. } = room;
-        for (place, from) in base.evaluation.kinematics.iter().enumerate() {
-            if !from.faces || !moves(place) {
-                continue;
-            }
-            let along = |row: &[f64]| -> f64 {
-                from.rows.unknowns.iter().zip(row).map(|(&dof, own)| own * moved[dof]).sum()
-            };
-            let (closes, slides) = (along(from.rows.normal()), along(from.rows.slip(0)));
-            for (side, step) in sides.iter_mut().zip(pair.steps()) {
-                let point = &mut side.evaluation.kinematics.points_mut()[place];
-                point.overclosure = from.overclosure + step * closes;
-                point.along = from.along + Tangential([step * slides, 0.0]);
-            }
-        }
-    }
-
-    /// Pressures and tractions of the closed points, what contact holds exactly left as it is: by the laws
-    /// of the neighbours where the points stand, and along their rows by the slopes that the tangent
-    /// has: what is stiff cancels there, to the bit.
-    fn hold_laws(&self, pair: &Pair<'_>, (base, kept): (&Scratch, &Kept), room: &mut Room) {
-        let Room { sides, before, .. } = room;
-        let (plan, committed, dt) = (self.plan, self.old, self.target.dt);
-        let trial = base.trial(committed, dt);
-        let at = Place { plan, committed, trial, evaluation: &base.evaluation };
-        for &(place, _) in &kept.points {
-            let from = &base.evaluation.kinematics.points()[place];
-            let ((_, traction), slope) = at.law(place, from);
-            let slips: [Tangential; 2] = std::array::from_fn(|k| {
-                let (history, u) = (before[k].points[place].history(), &before[k].displacement);
-                let moved = &sides[k].evaluation.kinematics.points()[place];
-                pair.problems[k].contact.slip(place, &history, moved, u)
-            });
-            let (mut closes, mut slides) = (0.0, 0.0);
-            for (k, weight) in pair.weights().into_iter().enumerate() {
-                closes += weight * sides[k].evaluation.kinematics.points()[place].overclosure;
-                slides += weight * slips[k][0];
-            }
-            let presses = slope * closes;
-            let rubs =
-                traction.d_tau_d_slip.at(0, 0) * slides + traction.d_tau_d_pressure[0] * presses;
-            for (k, step) in pair.steps().into_iter().enumerate() {
-                let along = before[k].points[place].along;
-                before[k].points[place].along = committed.points[place].along;
-                let (plan, committed) = (&pair.problems[k], &before[k]);
-                let (trial, evaluation) = (sides[k].trial(committed, dt), &sides[k].evaluation);
-                let own = Place { plan, committed, trial, evaluation };
-                let ((pressure, traction), _) = own.law(place, from);
-                let moved = PointState {
-                    pressure: pressure + step * presses,
-                    traction: traction.tau + Tangential([step * rubs, 0.0]),
-                    opening: -evaluation.kinematics.points()[place].overclosure,
-                    allowed: evaluation.kinematics.points()[place].allowed,
-                    slip: committed.points[place].slip + slips[k],
-                    ..base.evaluation.points[place]
-                };
-                sides[k].evaluation.points[place] = moved;
-                before[k].points[place].along = along;
-            }
-        }
-    }
-
     /// Rates of all forces with the rates of displacements, pressures and tractions at hand: right at
     /// dofs that are prescribed or follow others, and elsewhere what is not of the unknowns; handed to
     /// those that they follow.
     fn collect_forces(&self, pair: &Pair<'_>, (base, kept): (&Scratch, &Kept), room: &mut Room) {
-        let Room { sides, tangent, .. } = room;
-        let Moves { moved, touched, force, pair: both } = tangent;
+        let Room { sides, tangent, moving, .. } = room;
+        let Moves { moved, touched, force, pair: both, .. } = tangent;
         force.clone_from(touched);
         self.plan.structure.multiply_kept((&kept.elements, &kept.tangents), moved, force);
         for (place, geometry) in kept.points() {
@@ -254,6 +174,18 @@ impl Increment<'_> {
                 },
             );
             kinematics.press(rates.0, rates.1, force);
+            let sum = |of: fn(&PointKinematics) -> f64| -> f64 {
+                let all = sides.iter().zip(pair.weights());
+                all.map(|(own, w)| w * of(&own.evaluation.kinematics.points()[place])).sum()
+            };
+            let (wider, own) = (sum(|own| own.area), &base.evaluation.points[place]);
+            if wider != 0.0 {
+                kinematics.push(wider * own.pressure, wider * own.traction, force);
+            }
+            if let Some(own) = moving.of(place) {
+                let xi = sum(|own| own.xi);
+                moving.turned(own).iter().for_each(|&(dof, turned)| force[dof] += xi * turned);
+            }
             let unknowns = kinematics.rows.unknowns;
             for (&dof, row) in unknowns.iter().zip(geometry.chunks_exact(unknowns.len().max(1))) {
                 let turned = row.iter().zip(unknowns).map(|(own, &by)| own * moved[by]);
@@ -300,7 +232,7 @@ impl Increment<'_> {
 
     /// Rates of the unknowns, and of what contact holds exactly.
     fn solve(&self, pair: &Pair<'_>, linear: &mut Linear<'_>, room: &mut Room) -> Option<()> {
-        let Room { sides, before, rates, residual, defects, tangent, .. } = room;
+        let Room { sides, before, rates, residual, defects, tangent, moving, .. } = room;
         let Linear { border, base, solver } = linear;
         let equations = &self.plan.constraints.dof_of_equation;
         residual.clear();
@@ -309,44 +241,20 @@ impl Increment<'_> {
         for (k, weight) in pair.weights().into_iter().enumerate() {
             border.add_defects(weight, (&before[k], &sides[k].evaluation.points), defects);
         }
+        let begins = |of: usize| {
+            let all = pair.problems.iter().zip(pair.weights());
+            all.map(|(own, weight)| weight * own.contact.laws[of].normal.contact_begins()).sum()
+        };
+        moving.rates_of_ends(&tangent.moved, begins, &mut tangent.ends);
+        border.ends(defects).copy_from_slice(&tangent.ends);
         border.solve(solver, (&mut *residual, &mut *defects)).ok()?;
+        tangent.ends.copy_from_slice(border.ends(defects));
         equations.iter().zip(&*residual).for_each(|(&dof, rate)| tangent.moved[dof] = *rate);
         self.plan.constraints.expand(&base.evaluation.rows, &mut tangent.moved);
         border.give(defects, &mut rates.pressures, &mut rates.tractions);
-        for (side, step) in sides.iter_mut().zip(pair.steps()) {
-            side.move_estimates(base, (rates, step));
-        }
-        Some(())
-    }
-
-    /// Histories of all points, the unknowns moved; `None`: one stands on another branch.
-    fn follow_laws(&self, pair: &Pair<'_>, base: &Scratch, room: &mut Room) -> Option<()> {
-        let Room { sides, before, .. } = room;
-        for (k, plan) in pair.problems.iter().enumerate() {
-            let (side, before) = (&mut sides[k], &before[k]);
-            side.evaluation.points.clone_from(&base.evaluation.points);
-            let closed = base.evaluation.points.iter().enumerate();
-            let closed = closed.filter(|(_, own)| own.closed).map(|(place, _)| place);
-            side.follow_laws_at(plan, before, closed);
-            let evaluation = &mut side.evaluation;
-            (evaluation.contact_energy, evaluation.elastic_slip_energy) = (0.0, 0.0);
-            for (place, from) in before.points.iter().enumerate() {
-                let kinematics = &evaluation.kinematics.points()[place];
-                let now = &mut evaluation.points[place];
-                let normal = &plan.contact.laws_of(plan.contact.points[place].pair, from).normal;
-                if base.evaluation.points[place].closed {
-                    let elastic = now.traction.dot(now.elastic_slip);
-                    evaluation.elastic_slip_energy += 0.5 * now.area * elastic;
-                    evaluation.contact_energy += now.area * normal.energy(kinematics.overclosure);
-                    continue;
-                }
-                now.slip = from.slip;
-                if kinematics.faces {
-                    now.opening = -kinematics.overclosure;
-                    now.along = Some(kinematics.along);
-                    let presses = normal.pressure(kinematics.overclosure);
-                    presses.is_none_or(|(pressure, _)| pressure == 0.0).then_some(())?;
-                }
+        if border.multipliers() > 0 {
+            for (side, step) in sides.iter_mut().zip(pair.steps()) {
+                side.move_estimates(base, (rates, step));
             }
         }
         Some(())

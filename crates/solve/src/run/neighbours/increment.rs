@@ -3,7 +3,7 @@
 use super::super::shown::Numbers;
 use crate::newton::Scratch;
 use crate::problem::Problem;
-use crate::sensitivity::Border;
+use crate::sensitivity::{Border, PAIR, Sides, Touched};
 use crate::state::State;
 use crate::target::Target;
 use slideline_linalg::Solver;
@@ -39,4 +39,24 @@ pub enum Found {
     Beyond,
     /// There is no answer.
     Nothing,
+}
+
+/// Two neighbours, with their step.
+pub struct Pair<'a> {
+    pub problems: &'a [Problem<'a>; 2],
+    pub touched: &'a Touched,
+    /// Rates of the state before.
+    pub known: &'a [f64],
+    pub h: f64,
+}
+
+impl Pair<'_> {
+    /// What each counts.
+    pub fn weights(&self) -> Sides {
+        PAIR.map(|side| 0.5 * side / self.h)
+    }
+
+    pub fn steps(&self) -> Sides {
+        PAIR.map(|side| side * self.h)
+    }
 }

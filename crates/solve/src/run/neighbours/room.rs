@@ -1,6 +1,7 @@
 //! What the neighbours of an increment stand in, and how far their forces tell of rates.
 
 use super::told::Shelf;
+use crate::contact::MovingPoints;
 use crate::newton::{Rates, Scratch};
 use crate::problem::Problem;
 use crate::sensitivity::Bend;
@@ -24,6 +25,8 @@ pub struct Room {
     /// What is kept of the tangent of the base.
     pub(super) kept: Kept,
     pub(super) tangent: Moves,
+    /// Integration points that follow the closed part of their cells.
+    pub(super) moving: MovingPoints,
     /// Room for the rates of a state.
     pub(super) rates_of_state: Vec<f64>,
     pub(super) rates: Rates,
@@ -44,6 +47,10 @@ pub struct Moves {
     pub(super) touched: Vec<f64>,
     /// All forces, loads among them.
     pub(super) force: Vec<f64>,
+    /// Ends of the closed parts of cells, along their elements.
+    pub(super) ends: Vec<f64>,
+    /// Slips of closed integration points, a point each [L].
+    pub(super) slips: Vec<f64>,
     /// Room for both neighbours.
     pub(super) pair: [Vec<f64>; 2],
 }

@@ -55,7 +55,8 @@ impl Increment<'_> {
                 return Found::Nothing;
             }
             left = part(residual, &rates.unknowns, moved / scale);
-            left = left.max(part(defects, &rates.pressures, pressed / scale));
+            let held = &defects[..border.multipliers()];
+            left = left.max(part(held, &rates.pressures, pressed / scale));
             let rounded = (ROUNDED.min(left), unbalanced);
             let is_settled = |own: f64, before: f64, rounded: f64| {
                 own <= SETTLED || own <= rounded && own > SLOW * before

@@ -122,6 +122,8 @@ impl<'a> AlongRates<'a> {
             move_state(self.state, (self.rates, side * STEP * self.scale), state);
             work.evaluation.look.forget();
             look_at(self.plan, state, &mut work.evaluation);
+            let into = &mut work.evaluation.kinematics;
+            self.plan.contact.stand_as(&state.points, &state.displacement, into);
             let points = work.evaluation.kinematics.points();
             for (point, kinematics) in state.points.iter_mut().zip(points) {
                 if kinematics.faces {
