@@ -7,7 +7,7 @@
 use std::collections::{HashMap, HashSet};
 
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_model::{Dof, LinearConstraint, NodeIndex};
+use slideline_model::{Dof, LinearConstraint, Model, NodeIndex};
 
 use crate::constraints::{Equation, Term};
 use crate::draft::Draft;
@@ -93,11 +93,40 @@ pub(super) fn twice(draft: &mut Draft, (node, dof): (NodeIndex, Dof), first: Spa
 /// Complains about dofs that follow themselves by way of others, and about rigid bodies whose own
 /// dofs follow others linearly.
 pub(super) fn circles(draft: &mut Draft) {
-    let open = places(&draft.model.linear_constraints);
-    let left = unordered(&draft.model.linear_constraints, &open);
+    circles_of(&draft.model.linear_constraints.clone(), draft);
+    if !draft.model.mean_motions.is_empty() && draft.log.errors() == 0 {
+        circles_of(&in_large_motion(&draft.model), draft);
+    }
+}
+
+/// The constraints with what follows where clouds may turn far; coefficients are those of none.
+fn in_large_motion(model: &Model) -> Vec<LinearConstraint> {
+    let mut all = model.linear_constraints.clone();
+    for mean in model.mean_motions.iter().rev() {
+        let (mut terms, origin) = (HashSet::new(), mean.origin);
+        for own in all.splice(mean.constraints.clone(), []) {
+            terms.extend(own.terms.iter().map(|&(node, dof, _)| (node, dof)));
+            terms.insert(own.dependent);
+        }
+        mean.dependents.iter().for_each(|own| _ = terms.remove(own));
+        let mut terms: Vec<_> = terms.into_iter().map(|(node, dof)| (node, dof, 1.0)).collect();
+        terms.sort_unstable_by_key(|&(node, dof, _)| (node, dof as usize));
+        let follows = mean.dependents.iter().map(|&dependent| LinearConstraint {
+            dependent,
+            terms: terms.clone(),
+            constant: 0.0,
+            origin,
+        });
+        all.extend(follows);
+    }
+    all
+}
+
+fn circles_of(constraints: &[LinearConstraint], draft: &mut Draft) {
+    let open = places(constraints);
+    let left = unordered(constraints, &open);
     if let Some(&place) = left.first() {
-        let LinearConstraint { dependent: (node, dof), origin, .. } =
-            draft.model.linear_constraints[place];
+        let LinearConstraint { dependent: (node, dof), origin, .. } = constraints[place];
         let name = draft.model.nodes.name(node);
         let message =
             format!("dof {} of node {name} follows itself by way of others", dof.number());

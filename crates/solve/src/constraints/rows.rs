@@ -1,7 +1,7 @@
 //! T at a configuration: how dependent dofs follow the others.
 
 use super::following::Constraints;
-use super::linear::LinearConstraint;
+use super::linear::{Kept, LinearConstraint};
 use super::numbering::{ConstraintNumbering, Role};
 use slideline_linalg::Pattern;
 use slideline_mech::rigid::PlaneTurn;
@@ -29,11 +29,15 @@ impl Constraints<'_> {
             link.push_coefficients((arm, axes), (at, &mut turned), list);
         }
         for row in linear {
-            match &self.linear[row] {
-                LinearConstraint { shape: Some(shape), dependent, .. } => {
+            let LinearConstraint { dependent, kept, .. } = &self.linear[row];
+            match kept {
+                Kept::Nothing => list.extend(self.motion.linear(row).0),
+                Kept::Shape(shape) => {
                     shape.push_coefficients(*dependent, (&self.motion.places, at.0), list);
                 }
-                _ => list.extend(self.motion.linear(row).0),
+                // those of all its rows, which stand behind the first one
+                Kept::Mean(Some(mean)) => mean.push_coefficients(self.motion.cloud(mean.place), at, list),
+                Kept::Mean(None) => {}
             }
         }
     }
