@@ -25,6 +25,8 @@ mod joined;
 mod linear;
 mod mean;
 mod mean_slopes;
+#[cfg(test)]
+mod mean_tests;
 mod motion;
 mod numbering;
 mod rigid;

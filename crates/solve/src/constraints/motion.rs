@@ -48,10 +48,10 @@ impl Motion {
         self.constants.clear();
         for constraint in &numbering.linear {
             let source = constraint.source;
-            self.constants.push(source.constant(model));
             let terms = constraint.terms.iter();
             // those of what is kept are taken from the configuration
             let fixed = constraint.kept.is_nothing();
+            self.constants.push(if fixed { source.constant(model) } else { 0.0 });
             let of = |&(_, term): &(usize, usize)| match fixed {
                 true => source.coefficient(model, &self.axes, term),
                 false => 0.0,
