@@ -176,7 +176,8 @@ fn composed(turn: Vector, after: Vector) -> Vector {
 /// The nearest to a vector of those that are whole turns longer.
 fn nearest(vector: Vector, near: Vector) -> Vector {
     let length = size(vector);
-    let along = if length > 0.0 { scale(vector, 1.0 / length) } else { scale(near, 1.0 / size(near)) };
+    let along =
+        if length > 0.0 { scale(vector, 1.0 / length) } else { scale(near, 1.0 / size(near)) };
     let whole = ((dot(near, along) - length) / TAU).round();
     if whole == 0.0 || whole.is_nan() {
         return vector;

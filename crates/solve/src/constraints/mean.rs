@@ -52,14 +52,14 @@ impl MeanRow {
     ) -> Self {
         let mean = &model.mean_motions[place];
         let (shifts, turns) = ([Dof::U1, Dof::U2, Dof::U3], [Dof::UR1, Dof::UR2, Dof::UR3]);
-        let coupled = |dof: Dof| mean.coupled[dof as usize].then(|| dofs.named(mean.reference, dof));
+        let coupled =
+            |dof: Dof| mean.coupled[dof as usize].then(|| dofs.named(mean.reference, dof));
         let member = |node: NodeIndex, own: [Option<usize>; 3]| Member {
             dofs: own,
             axes: dofs.place_of_turned(node),
         };
-        let of_cloud = |&(node, _): &(NodeIndex, f64)| {
-            member(node, shifts.map(|dof| dofs.named(node, dof)))
-        };
+        let of_cloud =
+            |&(node, _): &(NodeIndex, f64)| member(node, shifts.map(|dof| dofs.named(node, dof)));
         let mut members: Vec<Member> = mean.cloud.iter().map(of_cloud).collect();
         members.push(member(mean.reference, shifts.map(|dof| coupled(dof).flatten())));
         let angles = turns.map(|dof| coupled(dof).flatten());
@@ -190,7 +190,9 @@ impl MeanRow {
         let angles = self.angles(&at, u);
         let fitted = at.fit(angles, self.in_space);
         for &part in self.follows.iter().filter(|own| is_angle(own)) {
-            let Part { what: What::Angle(axis), dof: Some(dof) } = self.parts[part] else { continue };
+            let Part { what: What::Angle(axis), dof: Some(dof) } = self.parts[part] else {
+                continue;
+            };
             let along = at.axis_of_reference(axis);
             u[dof] = fitted.map_or(f64::NAN, |angles| dot(along, angles));
         }
@@ -263,7 +265,8 @@ impl MeanRow {
         into: &mut Vec<f64>,
     ) {
         let rows = self.coefficients(&self.at(of, at), of);
-        let named = self.follows.iter().zip(rows).filter(|(own, _)| self.parts[**own].dof.is_some());
+        let named =
+            self.follows.iter().zip(rows).filter(|(own, _)| self.parts[**own].dof.is_some());
         named.for_each(|(_, row)| into.extend(row));
     }
 
@@ -276,7 +279,8 @@ impl MeanRow {
         f: &mut [f64],
         call: &mut impl FnMut(usize, usize, f64),
     ) {
-        let take = |&part: &usize| self.parts[part].dof.map_or(0.0, |dof| std::mem::take(&mut f[dof]));
+        let take =
+            |&part: &usize| self.parts[part].dof.map_or(0.0, |dof| std::mem::take(&mut f[dof]));
         let forces: Vec<f64> = self.follows.iter().map(take).collect();
         if forces.iter().all(|own| *own == 0.0) {
             return;
@@ -312,13 +316,15 @@ impl MeanRow {
     ) -> Option<[[Vec<f64>; 2]; 3]> {
         let multipliers = self.multipliers((at, of), forces)?;
         let pull = at.pull(&self.equations, &multipliers);
-        let gather = |part: usize, factor: f64, into: &mut [f64]| {
-            match self.follows.iter().position(|own| *own == part) {
-                Some(row) => into.iter_mut().zip(&rows[row]).for_each(|(sum, a)| *sum += factor * a),
-                None => {
-                    let place = self.free.binary_search(&part).unwrap_or(0);
-                    into[place] += factor;
-                }
+        let gather = |part: usize, factor: f64, into: &mut [f64]| match self
+            .follows
+            .iter()
+            .position(|own| *own == part)
+        {
+            Some(row) => into.iter_mut().zip(&rows[row]).for_each(|(sum, a)| *sum += factor * a),
+            None => {
+                let place = self.free.binary_search(&part).unwrap_or(0);
+                into[place] += factor;
             }
         };
         let none = || [vec![0.0; self.free.len()], vec![0.0; self.free.len()]];

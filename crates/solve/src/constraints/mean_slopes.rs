@@ -89,7 +89,9 @@ impl<'a> At<'a> {
         let displaced = |member: &Member| {
             let axes = of.axes_of(member.axes);
             let along = member.dofs.iter().zip(axes);
-            along.fold([0.0; 3], |sum, (dof, axis)| add(sum, scale(axis, dof.map_or(0.0, |own| u[own]))))
+            along.fold([0.0; 3], |sum, (dof, axis)| {
+                add(sum, scale(axis, dof.map_or(0.0, |own| u[own])))
+            })
         };
         let moved: Vec<Vector> = members[..cloud.arms.len()].iter().map(displaced).collect();
         let weighted = cloud.weights.iter().zip(&moved);
@@ -166,7 +168,9 @@ impl<'a> At<'a> {
     /// Derivative of an equation by a part, both without dimensions.
     pub fn slope(&self, equation: Equation, what: What) -> f64 {
         let value = match what {
-            What::Angle(axis) => return self.slope_by_turn(equation, axis) * self.row_scale(equation),
+            What::Angle(axis) => {
+                return self.slope_by_turn(equation, axis) * self.row_scale(equation);
+            }
             What::Shift(axis) => f64::from(equation == Equation::Shift(axis)),
             What::Turning(place) => match equation {
                 Equation::Turning(own, ..) => f64::from(own == place),

@@ -212,7 +212,8 @@ impl ConstraintNumbering {
             return true;
         }
         let free = rotations.iter().all(|&dof| matches!(role(dof), Some(Role::Free(_))));
-        (free || self.follow_a_mean(&rotations)) && !self.linear.iter().any(|constraint| constraint.links(&rotations))
+        (free || self.follow_a_mean(&rotations))
+            && !self.linear.iter().any(|constraint| constraint.links(&rotations))
     }
 
     /// Whether all of some dofs follow the mean motion of a cloud.

@@ -36,7 +36,9 @@ impl Constraints<'_> {
                     shape.push_coefficients(*dependent, (&self.motion.places, at.0), list);
                 }
                 // those of all its rows, which stand behind the first one
-                Kept::Mean(Some(mean)) => mean.push_coefficients(self.motion.cloud(mean.place), at, list),
+                Kept::Mean(Some(mean)) => {
+                    mean.push_coefficients(self.motion.cloud(mean.place), at, list)
+                }
                 Kept::Mean(None) => {}
             }
         }
@@ -60,6 +62,21 @@ impl ConstraintNumbering {
         for &(dof, row) in &self.led {
             change[dof] = self.row(row, rows).map(|(from, a)| a * change[from]).sum();
         }
+    }
+
+    /// How large the shares of forces [1] and their levers [L] are by which dofs of a cloud that follow hand them
+    /// to others: so much of the rounding of a force arrives there.
+    pub fn largest_shares(&self, rows: &Rows, is_rotation: impl Fn(usize) -> bool) -> [f64; 2] {
+        let mut largest = [0.0_f64; 2];
+        let of_means = self.linear.iter().filter(|own| matches!(own.kept, Kept::Mean(_)));
+        for own in of_means.filter(|own| !is_rotation(own.dependent)) {
+            let Role::Dependent(row) = self.roles[own.dependent] else { continue };
+            for (from, share) in self.row(row, rows) {
+                let field = &mut largest[usize::from(is_rotation(from))];
+                *field = field.max(share.abs());
+            }
+        }
+        largest
     }
 
     /// Hands forces on dependent dofs to those that they follow, T' f.

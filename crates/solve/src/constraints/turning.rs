@@ -31,7 +31,9 @@ impl Constraints<'_> {
                     followed().for_each(|(dof, a)| f[dof] += a * force);
                 }
                 // all of its rows, when the forces on each of them are whole
-                Kept::Mean(Some(mean)) => mean.turning(self.motion.cloud(mean.place), at, f, &mut call),
+                Kept::Mean(Some(mean)) => {
+                    mean.turning(self.motion.cloud(mean.place), at, f, &mut call)
+                }
                 Kept::Mean(None) => {}
             }
         }

@@ -1,4 +1,4 @@
-//! Whether a cloud of nodes has turned too far for a node that follows its mean motion linearly.
+//! Whether a cloud of nodes has turned too far for a node that follows a part of its mean turn, linearly.
 //!
 //! ```text
 //!     o  o            o             what follows linearly sees sin a of the turn a, and its forces act
