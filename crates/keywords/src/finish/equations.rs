@@ -93,9 +93,12 @@ pub(super) fn twice(draft: &mut Draft, (node, dof): (NodeIndex, Dof), first: Spa
 /// Complains about dofs that follow themselves by way of others, and about rigid bodies whose own
 /// dofs follow others linearly.
 pub(super) fn circles(draft: &mut Draft) {
-    circles_of(&draft.model.linear_constraints.clone(), draft);
+    let help = "begin the equation with a dof that no other equation needs";
+    circles_of((&draft.model.linear_constraints.clone(), help), draft);
     if !draft.model.mean_motions.is_empty() && draft.log.errors() == 0 {
-        circles_of(&in_large_motion(&draft.model), draft);
+        let help = "where dofs of the reference node of *DISTRIBUTING are prescribed and steps have NLGEOM, whole \
+                    nodes of its surface follow: leave it free, or couple more nodes that nothing else follows";
+        circles_of((&in_large_motion(&draft.model), help), draft);
     }
 }
 
@@ -122,7 +125,7 @@ fn in_large_motion(model: &Model) -> Vec<LinearConstraint> {
     all
 }
 
-fn circles_of(constraints: &[LinearConstraint], draft: &mut Draft) {
+fn circles_of((constraints, help): (&[LinearConstraint], &str), draft: &mut Draft) {
     let open = places(constraints);
     let left = unordered(constraints, &open);
     if let Some(&place) = left.first() {
@@ -131,7 +134,6 @@ fn circles_of(constraints: &[LinearConstraint], draft: &mut Draft) {
         let message =
             format!("dof {} of node {name} follows itself by way of others", dof.number());
         let error = Diagnostic::error(Code("SL0347"), message).at(origin);
-        let help = "begin the equation with a dof that no other equation needs";
         draft.consequence(Subject::Links, error.help(help));
     }
     for link in draft.model.rigid_links.clone() {

@@ -39,7 +39,10 @@ pub(super) fn turn_far(
     (constraints, origin): (Range<usize>, Span),
     draft: &mut Draft,
 ) {
-    let (dependents, turning) = columns.followers(rows);
+    // nodes that other constraints follow would close a circle if they followed too
+    let others = &draft.model.linear_constraints[..constraints.start];
+    let leading = others.iter().flat_map(|own| &own.terms).map(|&(node, ..)| node).collect();
+    let (dependents, turning) = columns.followers(rows, &leading);
     for name in &dependents {
         draft.dependents.entry(*name).or_insert(origin);
     }
@@ -55,8 +58,8 @@ type Names = Vec<(NodeIndex, Dof)>;
 
 impl Columns<'_> {
     /// What follows, and what of it follows a dof of its own.
-    fn followers(&self, rows: Vec<Vec<f64>>) -> (Names, Names) {
-        let pivots = self.pivots_far(rows);
+    fn followers(&self, rows: Vec<Vec<f64>>, leading: &HashSet<NodeIndex>) -> (Names, Names) {
+        let pivots = self.pivots_far(rows, leading);
         let whole: HashSet<NodeIndex> =
             pivots.iter().filter(|own| **own >= self.own).map(|&own| self.names[own].0).collect();
         let follows = |column: &usize| {
@@ -72,8 +75,9 @@ impl Columns<'_> {
     }
 
     /// The dofs for which the equations are solved: those of the reference node where all of them are free, else
-    /// of nodes that are free in all directions, else of free directions, else what follows in small motion.
-    fn pivots_far(&self, rows: Vec<Vec<f64>>) -> Vec<usize> {
+    /// of nodes that are free in all directions and that nothing else follows, else of such that something
+    /// follows, else of free directions, else what follows in small motion.
+    fn pivots_far(&self, rows: Vec<Vec<f64>>, leading: &HashSet<NodeIndex>) -> Vec<usize> {
         if !self.taken[..self.own].contains(&true) {
             return self.pivots.to_vec();
         }
@@ -81,8 +85,11 @@ impl Columns<'_> {
             self.names.iter().zip(self.taken).filter(|own| *own.1).map(|own| own.0.0).collect();
         let columns = || self.names.iter().zip(self.taken).enumerate();
         let of_whole = columns().map(|(place, own)| place < self.own || held.contains(&own.0.0));
+        let of_whole: Vec<bool> = of_whole.collect();
+        let is_leading = self.names.iter().map(|own| leading.contains(&own.0));
+        let of_own = of_whole.iter().zip(is_leading).map(|(held, leads)| *held || leads).collect();
         let of_free = columns().map(|(place, own)| place < self.own || *own.1);
-        let tried: [Vec<bool>; 2] = [of_whole.collect(), of_free.collect()];
+        let tried: [Vec<bool>; 3] = [of_own, of_whole, of_free.collect()];
         let found = tried.iter().find_map(|taken| solve(rows.clone(), 0, taken));
         let solved = |rows: Vec<(usize, Vec<f64>)>| rows.into_iter().map(|own| own.0).collect();
         found.map_or_else(|| self.pivots.to_vec(), solved)
