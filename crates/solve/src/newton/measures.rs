@@ -154,7 +154,7 @@ impl Scratch {
         let length = plan.structure.stiffest_length;
         // and what follows the mean of many nodes hands on more than one share of a force
         let is_rotation = |dof: usize| plan.dofs.is_rotation(dof);
-        let [share, lever] = plan.constraints.largest_shares(&self.evaluation.rows, is_rotation);
+        let (share, lever) = plan.constraints.largest_shares(&self.evaluation.rows, is_rotation);
         let moments = elastic.max(seen(0)) * length.max(lever) + contact * reach;
         [(elastic * share.max(1.0) + contact).max(seen(0)), moments.max(seen(1))]
     }
