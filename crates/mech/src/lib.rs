@@ -16,6 +16,7 @@
 #![allow(rustdoc::broken_intra_doc_links)]
 
 pub mod axes;
+pub mod best_fit;
 pub mod contact;
 pub mod differentiate;
 pub mod element;

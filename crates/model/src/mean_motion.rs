@@ -1,11 +1,32 @@
 //! Clouds of nodes whose mean motion another node follows.
 
-use crate::node::NodeIndex;
+use crate::node::{Dof, NodeIndex};
 use slideline_diag::Span;
+use std::ops::Range;
 
-/// A cloud of nodes whose mean displacement and turn a reference node follows linearly.
+/// A cloud of nodes whose mean displacement and turn a reference node follows, linearly where its constraints
+/// say so, and as the rigid motion that fits best where the kinematics are nonlinear.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeanMotion {
+    /// The reference node.
+    pub reference: NodeIndex,
+    /// Which dofs of it are coupled: displacements, and all of its rotations or none.
+    pub coupled: [bool; 6],
+    /// The nodes with their weights.
+    pub cloud: Vec<(NodeIndex, f64)>,
+    /// The linear constraints that it is in small motion.
+    pub constraints: Range<usize>,
+    /// What follows the others in large motion.
+    pub dependents: Vec<(NodeIndex, Dof)>,
+    /// Those of them that follow a dof of their own, which turns with the cloud.
+    pub turning: Vec<(NodeIndex, Dof)>,
+    /// Where it was said.
+    pub origin: Span,
+}
+
+/// A cloud of nodes of whose mean turn a reference node follows only parts: linearly, however far it turns.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PartOfMeanTurn {
     /// The reference node.
     pub reference: NodeIndex,
     /// The mean turn by the displacement of a node, a row a direction of the turn [1/L].

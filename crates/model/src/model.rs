@@ -8,7 +8,7 @@ use crate::edge_pair::EdgePair;
 use crate::element::block::{Allowable, ElementBlock};
 use crate::initial_stress::{InitialHardening, InitialStress};
 use crate::kept_shape::KeptShape;
-use crate::mean_motion::MeanMotion;
+use crate::mean_motion::{MeanMotion, PartOfMeanTurn};
 use crate::node::{Dof, LinearConstraint, NodeIndex, NodeSet, Nodes, RigidLink};
 use crate::presence::ElementIndex;
 use crate::step::Step;
@@ -48,8 +48,10 @@ pub struct Model {
     pub linear_constraints: Vec<LinearConstraint>,
     /// Shapes that nodes keep in large motion.
     pub shapes: Vec<KeptShape>,
-    /// Clouds of nodes whose mean motion another node follows, by some of these constraints.
+    /// Clouds of nodes whose mean motion another node follows, for turns of any size in large motion.
     pub mean_motions: Vec<MeanMotion>,
+    /// Those that stay linear in large motion.
+    pub parts_of_mean_turns: Vec<PartOfMeanTurn>,
     /// Nodes at one place that are one in contact: the first follows the second.
     pub seams: Vec<[NodeIndex; 2]>,
     /// Contact pairs.

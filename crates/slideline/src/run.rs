@@ -142,7 +142,15 @@ fn first_state<'a>(
         Some(_) => {
             let message = format!("the saved state {states} is not one of this model");
             let said = Diagnostic::error(Code("SL0708"), message);
-            Err(Box::new(said.help("Run the previous job again.")))
+            let help = match model.mean_motions.is_empty() {
+                true => "Run the previous job again.",
+                // other dofs follow then, some of them along axes that turn
+                false => {
+                    "A deck that prescribes dofs of the reference node of *DISTRIBUTING which the previous job left \
+                     free must be one with it, where steps have NLGEOM; else run the previous job again."
+                }
+            };
+            Err(Box::new(said.help(help)))
         }
         None => {
             let message = "this deck continues a previous job, and none is named";

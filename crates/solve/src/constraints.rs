@@ -8,6 +8,7 @@
 //!   o==o rigid -----> x = x_m + R(phi_m) arm        1 and the turning of the arm
 //!   o--o equation --> u = c + sum a_k u_k           the coefficients a_k
 //!   o--o shape ----> g(u) = 0                      - g_k / g_d, as they turn
+//!   o::o mean -----> g(u) = 0, as many as follow   - G_d^-1 G_k, as they turn
 //!   o own axes -----> u = sum q_i e_i               the axes e_i
 //! ```
 //!
@@ -17,10 +18,15 @@
 //! eqs (4.1) to (4.4), (4.18).
 
 mod carried;
+mod cloud;
 mod deserted;
 mod following;
 mod joined;
 mod linear;
+mod mean;
+mod mean_slopes;
+#[cfg(test)]
+mod mean_tests;
 mod motion;
 mod numbering;
 mod rigid;

@@ -11,7 +11,8 @@
 //! knows no step: it holds for a whole run and for those that go on from it.
 //!
 //! A node with axes of its own has its dofs a second time, along these, behind those of all
-//! nodes: what is prescribed, loaded or linked there names them, and the others follow.
+//! nodes: what is prescribed, loaded or linked there names them, and the others follow. Behind all these stand
+//! the dofs of clouds that turn far, along axes that turn with them ([`DofMap::turning_dofs`]).
 
 use slideline_model::{Dof, Master, Model, NodeIndex};
 use std::collections::HashMap;
@@ -38,6 +39,8 @@ pub struct DofMap {
     turning: Vec<(NodeIndex, [usize; 3])>,
     /// Directions that some node has.
     kinds: Vec<Dof>,
+    /// First dof along axes that turn with a cloud.
+    first_turning: usize,
 }
 
 impl DofMap {
@@ -80,6 +83,9 @@ impl DofMap {
             map.first.push(map.names.len());
         }
         map.add_turned(turned, place, &along);
+        map.first_turning = map.names.len();
+        map.names.extend(model.mean_motions.iter().flat_map(|own| &own.turning));
+        map.active.resize(map.names.len(), true);
         let count = map.names.len();
         let turning = |dof: &usize| map.is_rotation(*dof);
         let mut rotations = Vec::with_capacity((0..count).filter(turning).count());
@@ -113,6 +119,11 @@ impl DofMap {
     /// How many.
     pub fn len(&self) -> usize {
         self.names.len()
+    }
+
+    /// The dofs along axes that turn with clouds, cloud by cloud, named as the dofs that follow them.
+    pub fn turning_dofs(&self) -> Range<usize> {
+        self.first_turning..self.len()
     }
 
     /// How many there are along the axes of the model.

@@ -5,14 +5,15 @@
 //!    o   R   o        mean rotation: of the least squares of w |u_i - rigid motion|^2
 //!      o   o
 //! ```
-//! docs/theory.md section 4.2. The rotation is that of small turns of the cloud. The older card follows the
-//! mean displacement alone in CalculiX: a force on its node is spread without its lever arm.
+//! docs/theory.md section 4.2. The rotation of these equations is that of small turns of the cloud; where motion is
+//! large `turned_means.rs` says what follows what. The older card follows the mean displacement alone in CalculiX: a force on its node is spread without its lever arm.
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::vector::{cross, dot};
-use slideline_model::{Dof, MeanMotion, NodeIndex};
+use slideline_model::{Dof, NodeIndex, PartOfMeanTurn};
 
 use super::equations::{add, solve};
+use super::turned_means::{Columns, turn_far};
 use crate::draft::Draft;
 use crate::rule::Subject;
 
@@ -59,22 +60,32 @@ pub(super) fn distribute(
     let is_taken =
         |name: &(NodeIndex, Dof)| draft.dependents.contains_key(name) || prescribed.contains(name);
     let taken: Vec<bool> = names.iter().map(is_taken).collect();
-    let Some(solved) = solve(rows, wanted.len(), &taken) else {
+    let Some(solved) = solve(rows.clone(), wanted.len(), &taken) else {
         let message = "too many dofs of this coupling are prescribed or follow others";
         let error = Diagnostic::error(Code("SL0315"), message).at(origin);
         draft.consequence(Subject::Links, error.help("leave some nodes of its surface free"));
         return;
     };
-    if mean == Mean::Motion && about.sees_turns(reference, &wanted, draft) {
-        let turns = cloud.iter().map(|&own| (own.0, about.turns(own, draft))).collect();
-        draft.model.mean_motions.push(MeanMotion { reference, turns, origin });
-    }
+    let first = draft.model.linear_constraints.len();
     let pivots: Vec<usize> = solved.iter().map(|(pivot, _)| *pivot).collect();
     for (pivot, row) in solved {
         let others = row.iter().enumerate().filter(|(c, a)| !pivots.contains(c) && **a != 0.0);
         let terms = others.map(|(c, a)| (names[c].0, names[c].1, -a)).collect();
         add(draft, names[pivot], terms, origin);
     }
+    let is_large = draft.steps.iter().any(|step| step.nlgeom);
+    if !is_large || mean == Mean::Displacement || !about.sees_turns(reference, &wanted, draft) {
+        return;
+    }
+    let turns = |dofs: &[Dof]| dofs.iter().filter(|dof| dof.is_rotation()).count();
+    if ![0, turns(directions)].contains(&turns(&wanted)) {
+        let turns = cloud.iter().map(|&own| (own.0, about.turns(own, draft))).collect();
+        draft.model.parts_of_mean_turns.push(PartOfMeanTurn { reference, turns, origin });
+        return;
+    }
+    let constraints = first..draft.model.linear_constraints.len();
+    let columns = Columns { names: &names, taken: &taken, own: wanted.len(), pivots: &pivots };
+    turn_far((reference, cloud), (rows, columns), (constraints, origin), draft);
 }
 
 /// A cloud of nodes about its centre.

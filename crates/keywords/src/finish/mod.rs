@@ -76,6 +76,7 @@ mod thicknesses;
 mod tied_pairs;
 mod ties;
 mod tributary;
+mod turned_means;
 mod unit_systems;
 mod unknown;
 

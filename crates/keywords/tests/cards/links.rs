@@ -1,6 +1,6 @@
 //! Ties, equations, parts and shapes that are kept: what holds nodes together, and what is refused.
 
-#![allow(clippy::expect_used)] // a test may stop
+#![allow(clippy::expect_used, clippy::panic)] // a test may stop
 
 use slideline_model::Dof;
 
@@ -304,4 +304,36 @@ fn a_reference_node_has_one_system_of_axes() {
     // the axes of the model are those that equations mean
     let plain = coupled_along("1., 0., 0., 0., 1., 0.", &format!("**\n{bare}"));
     assert!(plain.is_empty(), "{plain:?}");
+}
+
+/// Requirement: of a coupling that may turn far the reference node follows where it is free; where a part of it
+/// is prescribed, whole nodes do that no other coupling follows, and what is left of them follows dofs of its
+/// own. Without NLGEOM nothing is noted; couplings whose nodes must follow one another are refused.
+#[test]
+fn clouds_that_may_turn_far() {
+    let of = |support: &str, second: &str, step_line: &str| {
+        let cards = format!(
+            "*NODE\n9, 4.0, 0.5\n10, 4.0, 0.9\n*NSET, NSET=CLOUD\n3, 4, 5, 6\n*SURFACE, NAME=SIDE, TYPE=NODE\nCLOUD,\n\
+             *COUPLING, REF NODE=9, SURFACE=SIDE, CONSTRAINT NAME=K\n*DISTRIBUTING\n1, 6\n{second}"
+        );
+        let deck = step(&format!("{support}*CLOAD\n9, 1, 1.0"));
+        deck.replace("*STEP, NLGEOM", &format!("{cards}*STEP{step_line}"))
+    };
+    let read = |support: &str, line: &str| model(&deck(&of(support, "", line), &[]), A);
+    let free = read("", ", NLGEOM");
+    let reference = free.nodes.find(9).expect("the reference node");
+    let [own] = &free.mean_motions[..] else { panic!("one coupling") };
+    assert_eq!(own.dependents, [Dof::U1, Dof::U2, Dof::UR3].map(|dof| (reference, dof)));
+    assert!(own.turning.is_empty());
+    let held = read("*BOUNDARY\n9, 6, 6, 2.0\n", ", NLGEOM");
+    let own = &held.mean_motions[0];
+    assert!(own.dependents.iter().all(|(node, _)| *node != reference), "{own:?}");
+    assert_eq!(own.dependents.len(), 3 + own.turning.len());
+    for &(node, _) in &own.dependents {
+        assert_eq!(own.dependents.iter().filter(|other| other.0 == node).count(), 2);
+    }
+    assert!(read("", "").mean_motions.is_empty());
+    let second = "*COUPLING, REF NODE=10, SURFACE=SIDE, CONSTRAINT NAME=L\n*DISTRIBUTING\n1, 6\n";
+    let both = of("*BOUNDARY\n9, 6, 6, 2.0\n10, 6, 6, 1.0\n", second, ", NLGEOM");
+    assert!(!errors(&interpret(&deck(&both, &[]), A)).is_empty());
 }

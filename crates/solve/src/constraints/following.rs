@@ -1,6 +1,6 @@
 //! How dofs follow others in a configuration.
 
-use super::linear::LinearConstraint;
+use super::linear::{Kept, LinearConstraint};
 use super::motion::Motion;
 use super::numbering::ConstraintNumbering;
 use super::rigid::RigidLink;
@@ -32,11 +32,15 @@ impl Constraints<'_> {
     pub fn enforce(&self, turns: &[Turn], u: &mut [f64]) {
         let mut linear = self.linear.iter().enumerate();
         let follow = |(row, constraint): (usize, &LinearConstraint), u: &mut [f64]| {
-            if let Some(shape) = &constraint.shape {
-                return shape.enforce(constraint.dependent, &self.motion.places, u);
+            match &constraint.kept {
+                Kept::Nothing => {
+                    let (coefficients, constant) = self.motion.linear(row);
+                    constraint.enforce(coefficients, constant, u);
+                }
+                Kept::Shape(shape) => shape.enforce(constraint.dependent, &self.motion.places, u),
+                Kept::Mean(Some(mean)) => mean.enforce(self.motion.cloud(mean.place), turns, u),
+                Kept::Mean(None) => {} // the first of its rows has moved it
             }
-            let (coefficients, constant) = self.motion.linear(row);
-            constraint.enforce(coefficients, constant, u);
         };
         linear.by_ref().take(self.leading).for_each(|own| follow(own, u));
         let links = self.rigid.iter().zip(&self.motion.arms);

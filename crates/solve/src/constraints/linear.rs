@@ -9,6 +9,7 @@
 //!             \|/--> x
 //! ```
 
+use super::mean::MeanRow;
 use super::rigid::RigidLink;
 use super::shapes::ShapeRow;
 use crate::dofs::DofMap;
@@ -24,15 +25,35 @@ pub(super) struct LinearConstraint {
     pub terms: Vec<(usize, usize)>,
     /// Where the coefficients come from.
     pub source: Source,
-    /// The shape that it keeps in large motion; then its coefficients are those of the configuration.
-    pub shape: Option<ShapeRow>,
+    /// What it keeps in large motion; then its coefficients are those of the configuration.
+    pub kept: Kept,
+}
+
+/// What a constraint keeps in large motion.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Kept {
+    /// Nothing: it is linear.
+    Nothing,
+    /// A shape.
+    Shape(ShapeRow),
+    /// With others the mean motion of a cloud: the first of these holds what all of them are.
+    Mean(Option<Box<MeanRow>>),
+}
+
+impl Kept {
+    /// Whether nothing is kept.
+    pub fn is_nothing(&self) -> bool {
+        *self == Self::Nothing
+    }
 }
 
 impl LinearConstraint {
     /// Whether an equation of the model names one of these dofs.
     pub fn links(&self, dofs: &[Option<usize>]) -> bool {
         let named = |dof: usize| dofs.contains(&Some(dof));
+        // of a cloud that turns far rotations mean what they mean from any start
         matches!(self.source, Source::Said(_))
+            && !matches!(self.kept, Kept::Mean(_))
             && (named(self.dependent) || self.terms.iter().any(|&(dof, _)| named(dof)))
     }
 }
@@ -45,6 +66,8 @@ pub(super) enum Source {
     /// The own axes of a node, by its place among those that have some: the component along an
     /// axis of the model.
     Axes { place: usize, component: usize },
+    /// None: it is another dof.
+    Equal,
 }
 
 impl Source {
@@ -53,6 +76,7 @@ impl Source {
         match self {
             Self::Said(index) => model.linear_constraints[index].terms[term].2,
             Self::Axes { place, component } => axes[place][term][component],
+            Self::Equal => 1.0,
         }
     }
 
@@ -60,7 +84,7 @@ impl Source {
     pub fn constant(self, model: &Model) -> f64 {
         match self {
             Self::Said(index) => model.linear_constraints[index].constant,
-            Self::Axes { .. } => 0.0,
+            Self::Axes { .. } | Self::Equal => 0.0,
         }
     }
 }
@@ -83,11 +107,15 @@ pub(super) fn resolve(
             dependent,
             terms: terms.collect(),
             source: Source::Said(index),
-            shape: None,
+            kept: Kept::Nothing,
         });
     }
-    if nlgeom {
-        keep_shapes(model, dofs, &mut open);
+    match nlgeom {
+        true => {
+            keep_shapes(model, dofs, &mut open);
+            keep_means(model, dofs, &mut open);
+        }
+        false => open.extend(resting(model, dofs)),
     }
     let linked = rigid.iter().flat_map(|link| link.dependent_dofs().map(|(_, dof)| dof));
     let follows: HashSet<usize> = open.iter().map(|own| own.dependent).chain(linked).collect();
@@ -106,7 +134,7 @@ pub(super) fn resolve(
 fn keep_shapes(model: &Model, dofs: &DofMap, open: &mut [LinearConstraint]) {
     let said = |own: &LinearConstraint| match own.source {
         Source::Said(index) => Some(index),
-        Source::Axes { .. } => None,
+        Source::Axes { .. } | Source::Equal => None,
     };
     let mut first = 0;
     for (place, shape) in model.shapes.iter().enumerate() {
@@ -116,8 +144,44 @@ fn keep_shapes(model: &Model, dofs: &DofMap, open: &mut [LinearConstraint]) {
             continue;
         };
         own.terms = row.followed(own.dependent).map(|dof| (dof, 0)).collect();
-        own.shape = Some(row);
+        own.kept = Kept::Shape(row);
     }
+}
+
+/// Puts what clouds are that turn far in place of the constraints that they are in small motion.
+fn keep_means(model: &Model, dofs: &DofMap, open: &mut Vec<LinearConstraint>) {
+    let mut turning = dofs.turning_dofs();
+    for (place, mean) in model.mean_motions.iter().enumerate() {
+        let (named, slots) = (mean.dependents.iter(), turning.by_ref().take(mean.turning.len()));
+        let dependents = named.filter_map(|&(node, dof)| dofs.named(node, dof)).collect();
+        let row = MeanRow::new((model, place), dofs, (dependents, slots.collect()));
+        let replaced = |own: &LinearConstraint| match own.source {
+            Source::Said(index) => mean.constraints.contains(&index),
+            Source::Axes { .. } | Source::Equal => false,
+        };
+        open.retain(|own| !replaced(own));
+        let terms: Vec<(usize, usize)> = row.followed().map(|dof| (dof, 0)).collect();
+        let dependents: Vec<usize> = row.dependents().collect();
+        let mut row = Some(Box::new(row));
+        open.extend(dependents.into_iter().map(|dependent| LinearConstraint {
+            dependent,
+            terms: terms.clone(),
+            source: Source::Said(mean.constraints.start),
+            kept: Kept::Mean(row.take()),
+        }));
+    }
+}
+
+/// In small motion the dofs along axes that turn are those that they stand for.
+fn resting<'a>(
+    model: &'a Model,
+    dofs: &'a DofMap,
+) -> impl Iterator<Item = LinearConstraint> + use<'a> {
+    let names = model.mean_motions.iter().flat_map(|own| &own.turning);
+    dofs.turning_dofs().zip(names).filter_map(|(dependent, &(node, dof))| {
+        let terms = vec![(dofs.named(node, dof)?, 0)];
+        Some(LinearConstraint { dependent, terms, source: Source::Equal, kept: Kept::Nothing })
+    })
 }
 
 /// Constraints behind those that they follow, level by level; those of a circle are left out.
@@ -160,7 +224,7 @@ fn of_axes(dofs: &DofMap, place: usize) -> impl Iterator<Item = LinearConstraint
         });
         let terms = alike.map(|own| (own, dofs.name(own).1 as usize % 3)).collect();
         let source = Source::Axes { place, component: kind as usize % 3 };
-        LinearConstraint { dependent, terms, source, shape: None }
+        LinearConstraint { dependent, terms, source, kept: Kept::Nothing }
     })
 }
 

@@ -7,6 +7,7 @@
 //! Which dofs follow which is the numbering's; these are values that the same plan
 //! takes anew.
 
+use super::cloud::{Cloud, CloudNumbers};
 use super::numbering::ConstraintNumbering;
 use slideline_model::{Axes, Model};
 
@@ -19,6 +20,8 @@ pub struct Motion {
     pub(super) axes: Vec<Axes>,
     /// Undeformed positions of the nodes of shapes, shape by shape [L].
     pub(super) places: Vec<[f64; 3]>,
+    /// Clouds whose mean motion others follow.
+    pub(super) clouds: Vec<Cloud>,
     /// Coefficients of linear constraints, one constraint after the other [1, L or 1/L].
     coefficients: Vec<f64>,
     /// Where the coefficients of each end.
@@ -38,15 +41,17 @@ impl Motion {
         }));
         self.places.clear();
         self.places.extend(numbering.shape_nodes.iter().map(|&node| model.nodes.position(node)));
+        self.clouds.clear();
+        self.clouds.extend(model.mean_motions.iter().map(|mean| Cloud::of(model, mean)));
         self.coefficients.clear();
         self.ends.clear();
         self.constants.clear();
         for constraint in &numbering.linear {
             let source = constraint.source;
-            self.constants.push(source.constant(model));
             let terms = constraint.terms.iter();
-            // those of a shape are taken from the configuration
-            let fixed = constraint.shape.is_none();
+            // those of what is kept are taken from the configuration
+            let fixed = constraint.kept.is_nothing();
+            self.constants.push(if fixed { source.constant(model) } else { 0.0 });
             let of = |&(_, term): &(usize, usize)| match fixed {
                 true => source.coefficient(model, &self.axes, term),
                 false => 0.0,
@@ -61,7 +66,12 @@ impl Motion {
         &self.axes
     }
 
-    /// Coefficients and constant of a linear constraint that keeps no shape.
+    /// A cloud, by the place of its mean motion.
+    pub(super) fn cloud(&self, place: usize) -> CloudNumbers<'_> {
+        CloudNumbers { cloud: &self.clouds[place], axes: &self.axes }
+    }
+
+    /// Coefficients and constant of a linear constraint that keeps nothing.
     pub(super) fn linear(&self, row: usize) -> (&[f64], f64) {
         let begin = row.checked_sub(1).map_or(0, |before| self.ends[before]);
         (&self.coefficients[begin..self.ends[row]], self.constants[row])

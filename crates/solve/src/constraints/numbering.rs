@@ -2,7 +2,7 @@
 
 use super::deserted::deserted;
 use super::joined::joined;
-use super::linear::{self, LinearConstraint};
+use super::linear::{self, Kept, LinearConstraint};
 use super::rigid::{self, RigidLink};
 use crate::dofs::DofMap;
 use slideline_model::{Dialect, Dof, Model, NodeIndex, Step};
@@ -177,9 +177,15 @@ impl ConstraintNumbering {
         self.carrier[node]
     }
 
-    /// Dependent dofs that keep a shape: what each follows is coupled.
+    /// Dependent dofs that keep a shape or a mean motion: what each follows is coupled.
     pub fn kept(&self) -> impl Iterator<Item = &usize> {
-        self.linear.iter().filter(|own| own.shape.is_some()).map(|own| &own.dependent)
+        let coupling = |own: &&LinearConstraint| match &own.kept {
+            Kept::Shape(_) => true,
+            // its rows follow the same
+            Kept::Mean(mean) => mean.as_ref().is_some_and(|own| own.couples()),
+            Kept::Nothing => false,
+        };
+        self.linear.iter().filter(coupling).map(|own| &own.dependent)
     }
 
     /// Adds the equations that a dof depends on.
@@ -206,17 +212,25 @@ impl ConstraintNumbering {
             return true;
         }
         let free = rotations.iter().all(|&dof| matches!(role(dof), Some(Role::Free(_))));
-        free && !self.linear.iter().any(|constraint| constraint.links(&rotations))
+        (free || self.follow_a_mean(&rotations))
+            && !self.linear.iter().any(|constraint| constraint.links(&rotations))
+    }
+
+    /// Whether all of some dofs follow the mean motion of a cloud.
+    fn follow_a_mean(&self, dofs: &[Option<usize>]) -> bool {
+        let means = self.linear.iter().filter(|own| matches!(own.kept, Kept::Mean(_)));
+        let follow: Vec<usize> = means.map(|own| own.dependent).collect();
+        dofs.iter().all(|dof| dof.is_some_and(|dof| follow.contains(&dof)))
     }
 
     /// Whether T turns with the unknowns.
     pub fn turns(&self) -> bool {
-        !self.rigid.is_empty() || self.linear.iter().any(|own| own.shape.is_some())
+        !self.rigid.is_empty() || self.linear.iter().any(|own| !own.kept.is_nothing())
     }
 
     /// Whether T may turn where the dofs move so.
     pub fn turns_along(&self, moved: &[f64]) -> bool {
-        self.linear.iter().any(|own| own.shape.is_some())
+        self.linear.iter().any(|own| !own.kept.is_nothing())
             || self.rigid.iter().any(|link| link.turns_along(moved))
     }
 }

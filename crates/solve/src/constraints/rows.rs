@@ -1,7 +1,7 @@
 //! T at a configuration: how dependent dofs follow the others.
 
 use super::following::Constraints;
-use super::linear::LinearConstraint;
+use super::linear::{Kept, LinearConstraint};
 use super::numbering::{ConstraintNumbering, Role};
 use slideline_linalg::Pattern;
 use slideline_mech::rigid::PlaneTurn;
@@ -29,11 +29,17 @@ impl Constraints<'_> {
             link.push_coefficients((arm, axes), (at, &mut turned), list);
         }
         for row in linear {
-            match &self.linear[row] {
-                LinearConstraint { shape: Some(shape), dependent, .. } => {
+            let LinearConstraint { dependent, kept, .. } = &self.linear[row];
+            match kept {
+                Kept::Nothing => list.extend(self.motion.linear(row).0),
+                Kept::Shape(shape) => {
                     shape.push_coefficients(*dependent, (&self.motion.places, at.0), list);
                 }
-                _ => list.extend(self.motion.linear(row).0),
+                // those of all its rows, which stand behind the first one
+                Kept::Mean(Some(mean)) => {
+                    mean.push_coefficients(self.motion.cloud(mean.place), at, list)
+                }
+                Kept::Mean(None) => {}
             }
         }
     }
@@ -56,6 +62,21 @@ impl ConstraintNumbering {
         for &(dof, row) in &self.led {
             change[dof] = self.row(row, rows).map(|(from, a)| a * change[from]).sum();
         }
+    }
+
+    /// How large the shares of forces [1] and their levers [L] are by which dofs of a cloud that follow hand them
+    /// to others: so much of the rounding of a force arrives there.
+    pub fn largest_shares(&self, rows: &Rows, is_rotation: impl Fn(usize) -> bool) -> (f64, f64) {
+        let mut largest = (0.0_f64, 0.0_f64);
+        let of_means = self.linear.iter().filter(|own| matches!(own.kept, Kept::Mean(_)));
+        for own in of_means.filter(|own| !is_rotation(own.dependent)) {
+            let Role::Dependent(row) = self.roles[own.dependent] else { continue };
+            for (from, share) in self.row(row, rows) {
+                let field = if is_rotation(from) { &mut largest.1 } else { &mut largest.0 };
+                *field = field.max(share.abs());
+            }
+        }
+        largest
     }
 
     /// Hands forces on dependent dofs to those that they follow, T' f.

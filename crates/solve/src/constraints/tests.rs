@@ -4,13 +4,14 @@ use super::*;
 use crate::dofs::DofMap;
 use slideline_diag::{FileId, Span};
 use slideline_linalg::Pattern;
+use slideline_mech::turn::Turn;
 use slideline_model::{
     ContactElement, ContactPair, Controls, Dof, Extrapolation, Formulation, Friction, Interaction,
     Lumping, Master, Model, Node, NodeIndex, NormalLaw, OutputRequests, Passage, Prescribed,
     RigidSurface, Static, Step, Vocabulary,
 };
 
-const AT: Span = Span { file: FileId(0), start: 0, end: 0 };
+pub(super) const AT: Span = Span { file: FileId(0), start: 0, end: 0 };
 
 /// A body of node 0 that carries nodes 1 and 2 (2 by way of 1); node 3 follows
 /// node 2 and node 4 linearly, node 5 follows node 3; of node 4 U1 is prescribed.
@@ -73,7 +74,7 @@ fn contact() -> ContactPair {
     }
 }
 
-fn step() -> Step {
+pub(super) fn step() -> Step {
     let prescribed =
         |node, dof| Prescribed { node, dof, value: 0.4, amplitude: None, fixed: false, origin: AT };
     Step {
@@ -124,7 +125,7 @@ impl Built {
 }
 
 /// Gives nodes of a model axes of their own.
-fn turn(model: &mut Model, nodes: &[NodeIndex], way: [f64; 3]) {
+pub(super) fn turn(model: &mut Model, nodes: &[NodeIndex], way: [f64; 3]) {
     let system = slideline_model::System::rectangular(way, [-way[1], way[0], 0.3 * way[2]]);
     let transform =
         slideline_model::Transform { nodes: nodes.to_vec(), system: system.unwrap(), origin: AT };
@@ -269,7 +270,7 @@ fn check_turning_by_differences(built: &Built) {
 }
 
 /// A point that moves in space and gives no force: dofs without physics.
-static POINT_IN_SPACE: slideline_model::ElementType = slideline_model::ElementType {
+pub(super) static POINT_IN_SPACE: slideline_model::ElementType = slideline_model::ElementType {
     names: ["POINT"; 2],
     cell: &slideline_mech::element::cell::POINT,
     dofs: &Dof::ALL,
@@ -342,21 +343,33 @@ fn check_bodies_in_space(model: &Model) {
 /// T at displacements without a pattern is the derivative of the motion, its transpose carries forces
 /// of the same work, and the turning is the derivative of T' f.
 fn check_by_differences(constraints: &Constraints<'_>, count: usize) {
-    let mut u: Vec<f64> = (0..count).map(|k| 0.3 * (1.0 + k as f64).sin()).collect();
-    constraints.enforce(&[], &mut u);
+    let u = (0..count).map(|k| 0.3 * (1.0 + k as f64).sin()).collect();
+    check_from(constraints, &[], u, 1e-8);
+}
+
+/// The same from displacements, to a part of one or of the derivative.
+pub(super) fn check_from(
+    constraints: &Constraints<'_>,
+    turns: &[Turn],
+    mut u: Vec<f64>,
+    part: f64,
+) {
+    let count = u.len();
+    let same = |a: f64, b: f64| (a - b).abs() < part * b.abs().max(1.0);
+    constraints.enforce(turns, &mut u);
     let force: Vec<f64> = (0..u.len()).map(|k| (0.7 * k as f64).cos()).collect();
     let at = |by: f64, dof: usize| {
         let (mut moved, mut carried, mut rows) = (u.clone(), force.clone(), Rows::default());
         moved[dof] += by;
-        constraints.enforce(&[], &mut moved);
-        constraints.linearise((&moved, &[]), &mut rows);
+        constraints.enforce(turns, &mut moved);
+        constraints.linearise((&moved, turns), &mut rows);
         constraints.carry(&rows, &mut carried);
         (moved, carried)
     };
     let mut rows = Rows::default();
-    constraints.linearise((&u, &[]), &mut rows);
+    constraints.linearise((&u, turns), &mut rows);
     let mut stiffness = vec![0.0; count * count];
-    constraints.turning(&rows, (&u, &[]), &mut force.clone(), |i, j, k| {
+    constraints.turning(&rows, (&u, turns), &mut force.clone(), |i, j, k| {
         constraints.for_each_equation(&rows, i, &mut |i, a| {
             constraints.for_each_equation(&rows, j, &mut |j, b| {
                 let [i, j] = [i, j].map(|equation| constraints.dof_of_equation[equation]);
@@ -370,13 +383,15 @@ fn check_by_differences(constraints: &Constraints<'_>, count: usize) {
         change[dof] = 1.0;
         constraints.expand(&rows, &mut change);
         for k in 0..count {
-            assert!((change[k] - (up[k] - down[k]) / 2e-6).abs() < 1e-8, "{k} by {dof}");
+            let difference = (up[k] - down[k]) / 2e-6;
+            assert!(same(change[k], difference), "{k} by {dof}: {} {difference}", change[k]);
         }
         let work: f64 = force.iter().zip(&change).map(|(f, du)| f * du).sum();
-        assert!((at(0.0, dof).1[dof] - work).abs() < 1e-13);
+        assert!((at(0.0, dof).1[dof] - work).abs() < 1e-5 * part * work.abs().max(1.0));
         for &row in &constraints.dof_of_equation {
             let difference = (force_up[row] - force_down[row]) / 2e-6;
-            assert!((difference - stiffness[row * count + dof]).abs() < 1e-8, "{row} {dof}");
+            let stiffness = stiffness[row * count + dof];
+            assert!(same(stiffness, difference), "{row} {dof}: {stiffness} {difference}");
         }
     }
 }

@@ -152,8 +152,11 @@ impl Scratch {
         // forces that balance round as they act over the length of an element: a beam that heat presses
         // between two clamps moves nothing and has no moment, and rounds all the same
         let length = plan.structure.stiffest_length;
-        let moments = elastic.max(seen(0)) * length + contact * reach;
-        [(elastic + contact).max(seen(0)), moments.max(seen(1))]
+        // and what follows the mean of many nodes hands on more than one share of a force
+        let is_rotation = |dof: usize| plan.dofs.is_rotation(dof);
+        let (share, lever) = plan.constraints.largest_shares(&self.evaluation.rows, is_rotation);
+        let moments = elastic.max(seen(0)) * length.max(lever) + contact * reach;
+        [(elastic * share.max(1.0) + contact).max(seen(0)), moments.max(seen(1))]
     }
 
     /// Largest contact force, and largest change of one when positions

@@ -143,6 +143,7 @@ fn draw(model: &Model, note: &mut impl FnMut(Part, usize)) {
             .chain(own.nodes.iter().copied())
             .for_each(|number| note(Part::LinearConstraints, number));
     }
+    draw_means(model, &mut |number| note(Part::LinearConstraints, number));
     note(Part::Contact(0), model.contact_pairs.len());
     for (index, pair) in model.contact_pairs.iter().enumerate() {
         draw_pair(pair, &mut |number| note(Part::Contact(index), number));
@@ -158,6 +159,22 @@ fn draw(model: &Model, note: &mut impl FnMut(Part, usize)) {
     note(Part::Steps, model.steps.len());
     for (index, step) in model.steps.iter().enumerate() {
         draw_step(step, &mut |number| note(Part::Step(index + 1), number));
+    }
+}
+
+/// Clouds that may turn far.
+fn draw_means(model: &Model, note: &mut impl FnMut(usize)) {
+    note(model.mean_motions.len());
+    for own in &model.mean_motions {
+        [own.reference, own.constraints.start, own.cloud.len(), own.dependents.len()]
+            .into_iter()
+            .chain([own.turning.len()])
+            .chain(own.cloud.iter().map(|(node, _)| *node))
+            .chain(own.coupled.map(usize::from))
+            .for_each(&mut *note);
+        for &(node, dof) in own.dependents.iter().chain(&own.turning) {
+            [node, dof as usize].into_iter().for_each(&mut *note);
+        }
     }
 }
 

@@ -79,6 +79,7 @@ fn is_placed_alike(one: &Model, other: &Model) -> bool {
         && one.rigid_links == other.rigid_links
         && one.linear_constraints == other.linear_constraints
         && one.shapes == other.shapes
+        && one.mean_motions == other.mean_motions
         && one.initial_stresses == other.initial_stresses
         && one.initial_hardening == other.initial_hardening
         && one.contact_pairs.iter().zip(&other.contact_pairs).all(alike)
