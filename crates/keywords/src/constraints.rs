@@ -1,7 +1,8 @@
 //! Constraints as cards give them: who follows whom, by number and name.
 
 use slideline_diag::Span;
-use slideline_model::Dof;
+use slideline_model::{Dof, LinearMeanTurn, NodeIndex};
+use std::ops::Range;
 
 use crate::instances::Target;
 use crate::surfaces::Named;
@@ -205,4 +206,22 @@ impl Fading {
             Self::Cubic => 1.0 - part * part * (3.0 - 2.0 * part),
         }
     }
+}
+
+/// A cloud that may turn far, of which it is still open what follows what.
+#[derive(Debug)]
+pub(crate) struct OpenMean {
+    /// Its nodes with their weights.
+    pub cloud: Vec<(NodeIndex, f64)>,
+    /// Its equations of small motion, an entry a dof.
+    pub rows: Vec<Vec<f64>>,
+    /// The dofs, those of the reference node first, and how many these are.
+    pub names: Vec<(NodeIndex, Dof)>,
+    pub own: usize,
+    /// Those that follow in small motion.
+    pub pivots: Vec<usize>,
+    /// The constraints that it is in small motion.
+    pub constraints: Range<usize>,
+    /// What it is where it has to stay linear.
+    pub linear: LinearMeanTurn,
 }

@@ -18,7 +18,9 @@ use slideline_model::{
 };
 
 use crate::axes::{Distribution, Orientation, Transform};
-use crate::constraints::{Coupling, Embedment, Equation, Link, PreTension, ShapeMpc, Tie};
+use crate::constraints::{
+    Coupling, Embedment, Equation, Link, OpenMean, PreTension, ShapeMpc, Tie,
+};
 use crate::expression::Values;
 use crate::log::{Log, MAX_LABEL};
 use crate::motion::Frame;
@@ -117,6 +119,8 @@ pub(crate) struct Draft {
     pub embedments: Vec<Embedment>,
     /// Dofs that follow others, and where it was said; known when links are resolved.
     pub dependents: Numbered<(NodeIndex, Dof), Span>,
+    /// Clouds that may turn far, until it is known what follows what.
+    pub means: Vec<OpenMean>,
     /// Ends of masters in pieces that are taken for one, and the complaint where they are not.
     pub joined_ends: Vec<([NodeIndex; 2], Diagnostic)>,
     /// Dofs of tied nodes that supports hold as they hold what they would follow, which is one node.

@@ -24,9 +24,10 @@ pub struct MeanMotion {
     pub origin: Span,
 }
 
-/// A cloud of nodes of whose mean turn a reference node follows only parts: linearly, however far it turns.
+/// A cloud of nodes whose mean turn a reference node follows linearly, however far it turns: of which it follows
+/// parts only, or where steps of small motion or other constraints leave no choice.
 #[derive(Clone, Debug, PartialEq)]
-pub struct PartOfMeanTurn {
+pub struct LinearMeanTurn {
     /// The reference node.
     pub reference: NodeIndex,
     /// The mean turn by the displacement of a node, a row a direction of the turn [1/L].

@@ -8,7 +8,7 @@ use crate::edge_pair::EdgePair;
 use crate::element::block::{Allowable, ElementBlock};
 use crate::initial_stress::{InitialHardening, InitialStress};
 use crate::kept_shape::KeptShape;
-use crate::mean_motion::{MeanMotion, PartOfMeanTurn};
+use crate::mean_motion::{LinearMeanTurn, MeanMotion};
 use crate::node::{Dof, LinearConstraint, NodeIndex, NodeSet, Nodes, RigidLink};
 use crate::presence::ElementIndex;
 use crate::step::Step;
@@ -51,7 +51,7 @@ pub struct Model {
     /// Clouds of nodes whose mean motion another node follows, for turns of any size in large motion.
     pub mean_motions: Vec<MeanMotion>,
     /// Those that stay linear in large motion.
-    pub parts_of_mean_turns: Vec<PartOfMeanTurn>,
+    pub linear_mean_turns: Vec<LinearMeanTurn>,
     /// Nodes at one place that are one in contact: the first follows the second.
     pub seams: Vec<[NodeIndex; 2]>,
     /// Contact pairs.

@@ -6,14 +6,15 @@
 //!      o   o
 //! ```
 //! docs/theory.md section 4.2. The rotation of these equations is that of small turns of the cloud; where motion is
-//! large `turned_means.rs` says what follows what. The older card follows the mean displacement alone in CalculiX: a force on its node is spread without its lever arm.
+//! large `turned_means.rs` says what follows what. The older card follows the mean displacement alone in CalculiX: a
+//! force on its node is spread without its lever arm.
 
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::vector::{cross, dot};
-use slideline_model::{Dof, NodeIndex, PartOfMeanTurn};
+use slideline_model::{Dof, LinearMeanTurn, NodeIndex};
 
 use super::equations::{add, solve};
-use super::turned_means::{Columns, turn_far};
+use crate::constraints::OpenMean;
 use crate::draft::Draft;
 use crate::rule::Subject;
 
@@ -78,14 +79,18 @@ pub(super) fn distribute(
         return;
     }
     let turns = |dofs: &[Dof]| dofs.iter().filter(|dof| dof.is_rotation()).count();
-    if ![0, turns(directions)].contains(&turns(&wanted)) {
-        let turns = cloud.iter().map(|&own| (own.0, about.turns(own, draft))).collect();
-        draft.model.parts_of_mean_turns.push(PartOfMeanTurn { reference, turns, origin });
+    let is_whole = [0, turns(directions)].contains(&turns(&wanted));
+    let turns = cloud.iter().map(|&own| (own.0, about.turns(own, draft))).collect();
+    let linear = LinearMeanTurn { reference, turns, origin };
+    // a step of small motion beside others wants the mean that is linear, and leaves nothing else
+    if !is_whole || !draft.steps.iter().all(|step| step.nlgeom) {
+        draft.model.linear_mean_turns.push(linear);
         return;
     }
+    let cloud = cloud.iter().copied().filter(|(_, weight)| *weight != 0.0).collect();
     let constraints = first..draft.model.linear_constraints.len();
-    let columns = Columns { names: &names, taken: &taken, own: wanted.len(), pivots: &pivots };
-    turn_far((reference, cloud), (rows, columns), (constraints, origin), draft);
+    let own = wanted.len();
+    draft.means.push(OpenMean { cloud, rows, names, own, pivots, constraints, linear });
 }
 
 /// A cloud of nodes about its centre.

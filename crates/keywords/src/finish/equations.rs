@@ -7,7 +7,7 @@
 use std::collections::{HashMap, HashSet};
 
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_model::{Dof, LinearConstraint, Model, NodeIndex};
+use slideline_model::{Dof, LinearConstraint, NodeIndex};
 
 use crate::constraints::{Equation, Term};
 use crate::draft::Draft;
@@ -93,47 +93,16 @@ pub(super) fn twice(draft: &mut Draft, (node, dof): (NodeIndex, Dof), first: Spa
 /// Complains about dofs that follow themselves by way of others, and about rigid bodies whose own
 /// dofs follow others linearly.
 pub(super) fn circles(draft: &mut Draft) {
-    let help = "begin the equation with a dof that no other equation needs";
-    circles_of((&draft.model.linear_constraints.clone(), help), draft);
-    if !draft.model.mean_motions.is_empty() && draft.log.errors() == 0 {
-        let help = "where dofs of the reference node of *DISTRIBUTING are prescribed and steps have NLGEOM, whole \
-                    nodes of its surface follow: leave it free, or couple more nodes that nothing else follows";
-        circles_of((&in_large_motion(&draft.model), help), draft);
-    }
-}
-
-/// The constraints with what follows where clouds may turn far; coefficients are those of none.
-fn in_large_motion(model: &Model) -> Vec<LinearConstraint> {
-    let mut all = model.linear_constraints.clone();
-    for mean in model.mean_motions.iter().rev() {
-        let (mut terms, origin) = (HashSet::new(), mean.origin);
-        for own in all.splice(mean.constraints.clone(), []) {
-            terms.extend(own.terms.iter().map(|&(node, dof, _)| (node, dof)));
-            terms.insert(own.dependent);
-        }
-        mean.dependents.iter().for_each(|own| _ = terms.remove(own));
-        let mut terms: Vec<_> = terms.into_iter().map(|(node, dof)| (node, dof, 1.0)).collect();
-        terms.sort_unstable_by_key(|&(node, dof, _)| (node, dof as usize));
-        let follows = mean.dependents.iter().map(|&dependent| LinearConstraint {
-            dependent,
-            terms: terms.clone(),
-            constant: 0.0,
-            origin,
-        });
-        all.extend(follows);
-    }
-    all
-}
-
-fn circles_of((constraints, help): (&[LinearConstraint], &str), draft: &mut Draft) {
-    let open = places(constraints);
-    let left = unordered(constraints, &open);
+    let open = places(&draft.model.linear_constraints);
+    let left = unordered(&draft.model.linear_constraints, &open);
     if let Some(&place) = left.first() {
-        let LinearConstraint { dependent: (node, dof), origin, .. } = constraints[place];
+        let LinearConstraint { dependent: (node, dof), origin, .. } =
+            draft.model.linear_constraints[place];
         let name = draft.model.nodes.name(node);
         let message =
             format!("dof {} of node {name} follows itself by way of others", dof.number());
         let error = Diagnostic::error(Code("SL0347"), message).at(origin);
+        let help = "begin the equation with a dof that no other equation needs";
         draft.consequence(Subject::Links, error.help(help));
     }
     for link in draft.model.rigid_links.clone() {
@@ -147,6 +116,11 @@ fn circles_of((constraints, help): (&[LinearConstraint], &str), draft: &mut Draf
         let help = "begin the equation with another dof: the first one is eliminated";
         draft.consequence(Subject::Links, error.help(help));
     }
+}
+
+/// Whether dofs follow themselves by way of others.
+pub(super) fn has_circle(constraints: &[LinearConstraint]) -> bool {
+    !unordered(constraints, &places(constraints)).is_empty()
 }
 
 /// Where the constraint of each dof stands.

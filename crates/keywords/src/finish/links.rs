@@ -44,6 +44,7 @@ pub(super) fn links(draft: &mut Draft) {
     super::embedded::embed(draft);
     super::shape_mpc::shapes(draft);
     super::ties::ties(draft);
+    super::turned_means::turn_far(draft);
     equations::circles(draft);
 }
 

@@ -11,87 +11,130 @@
 //!
 //! docs/theory.md section 4.2.
 
-use slideline_diag::Span;
-use slideline_model::{Dof, MeanMotion, NodeIndex};
+use slideline_model::{Dof, LinearConstraint, LinearMeanTurn, MeanMotion, NodeIndex};
 use std::collections::HashSet;
 use std::ops::Range;
 
-use super::equations::solve;
+use super::equations::{has_circle, solve};
+use crate::constraints::OpenMean;
 use crate::draft::Draft;
 
-/// The dofs of a coupling.
-#[derive(Clone, Copy)]
-pub(super) struct Columns<'a> {
-    /// Those of the reference node first.
-    pub names: &'a [(NodeIndex, Dof)],
-    /// Those that cannot follow.
-    pub taken: &'a [bool],
-    /// How many are of the reference node.
-    pub own: usize,
-    /// Those that follow in small motion.
-    pub pivots: &'a [usize],
+/// Chooses what follows what where clouds turn far, once all other constraints are known. A cloud that these
+/// leave no choice stays linear.
+pub(super) fn turn_far(draft: &mut Draft) {
+    let prescribed = super::steps::prescribed(draft);
+    let carrying: HashSet<NodeIndex> =
+        draft.model.rigid_links.iter().map(|link| link.master).collect();
+    let mut chosen: Vec<(Range<usize>, Vec<LinearConstraint>)> = Vec::new();
+    for own in std::mem::take(&mut draft.means) {
+        let follows = own.pivots.iter().map(|&pivot| own.names[pivot]).collect::<HashSet<_>>();
+        let is_taken = |name: &(NodeIndex, Dof)| {
+            let by_others = draft.dependents.contains_key(name) && !follows.contains(name);
+            by_others || prescribed.contains(name) || carrying.contains(&name.0)
+        };
+        let taken: Vec<bool> = own.names.iter().map(is_taken).collect();
+        let others = draft.model.linear_constraints.iter().enumerate();
+        let others = others.filter(|(place, _)| !own.constraints.contains(place));
+        // nodes that other constraints follow would close a circle if they followed too
+        let terms = others.flat_map(|(_, other)| &other.terms);
+        let leading = terms.map(|&(node, ..)| node).collect();
+        let found = Columns { of: &own, taken: &taken }.followers(&leading);
+        let Some((dependents, turning)) = found else {
+            draft.model.linear_mean_turns.push(own.linear);
+            continue;
+        };
+        chosen.push((own.constraints.clone(), own.in_large_motion(&dependents)));
+        if has_circle(&replaced(&draft.model.linear_constraints, &chosen)) {
+            chosen.pop();
+            draft.model.linear_mean_turns.push(own.linear);
+            continue;
+        }
+        let origin = own.linear.origin;
+        dependents.iter().for_each(|&name| _ = draft.dependents.entry(name).or_insert(origin));
+        draft.model.mean_motions.push(own.motion(dependents, turning));
+    }
 }
 
-/// Notes a cloud that may turn far; `rows` are its equations of small motion.
-pub(super) fn turn_far(
-    (reference, cloud): (NodeIndex, &[(NodeIndex, f64)]),
-    (rows, columns): (Vec<Vec<f64>>, Columns<'_>),
-    (constraints, origin): (Range<usize>, Span),
-    draft: &mut Draft,
-) {
-    // nodes that other constraints follow would close a circle if they followed too
-    let others = &draft.model.linear_constraints[..constraints.start];
-    let leading = others.iter().flat_map(|own| &own.terms).map(|&(node, ..)| node).collect();
-    let (dependents, turning) = columns.followers(rows, &leading);
-    for name in &dependents {
-        draft.dependents.entry(*name).or_insert(origin);
+/// The constraints with others in place of some.
+fn replaced(
+    constraints: &[LinearConstraint],
+    by: &[(Range<usize>, Vec<LinearConstraint>)],
+) -> Vec<LinearConstraint> {
+    let stay = constraints.iter().enumerate();
+    let stay = stay.filter(|(place, _)| !by.iter().any(|(range, _)| range.contains(place)));
+    stay.map(|(_, own)| own).chain(by.iter().flat_map(|own| &own.1)).cloned().collect()
+}
+
+impl OpenMean {
+    /// What follows what, with coefficients of none.
+    fn in_large_motion(&self, dependents: &[(NodeIndex, Dof)]) -> Vec<LinearConstraint> {
+        let followed = self.names.iter().filter(|name| !dependents.contains(name));
+        let terms: Vec<_> = followed.map(|&(node, dof)| (node, dof, 1.0)).collect();
+        let origin = self.linear.origin;
+        let follows = |&dependent| LinearConstraint {
+            dependent,
+            terms: terms.clone(),
+            constant: 0.0,
+            origin,
+        };
+        dependents.iter().map(follows).collect()
     }
-    let mut coupled = [false; 6];
-    columns.names[..columns.own].iter().for_each(|(_, dof)| coupled[*dof as usize] = true);
-    let cloud = cloud.iter().copied().filter(|(_, weight)| *weight != 0.0).collect();
-    let own = MeanMotion { reference, coupled, cloud, constraints, dependents, turning, origin };
-    draft.model.mean_motions.push(own);
+
+    fn motion(self, dependents: Names, turning: Names) -> MeanMotion {
+        let mut coupled = [false; 6];
+        self.names[..self.own].iter().for_each(|(_, dof)| coupled[*dof as usize] = true);
+        let Self { cloud, constraints, linear, .. } = self;
+        let LinearMeanTurn { reference, origin, .. } = linear;
+        MeanMotion { reference, coupled, cloud, constraints, dependents, turning, origin }
+    }
 }
 
 /// Names of dofs.
 type Names = Vec<(NodeIndex, Dof)>;
 
+/// The dofs of a coupling, and those of them that cannot follow.
+#[derive(Clone, Copy)]
+struct Columns<'a> {
+    of: &'a OpenMean,
+    taken: &'a [bool],
+}
+
 impl Columns<'_> {
     /// What follows, and what of it follows a dof of its own.
-    fn followers(&self, rows: Vec<Vec<f64>>, leading: &HashSet<NodeIndex>) -> (Names, Names) {
-        let pivots = self.pivots_far(rows, leading);
+    fn followers(&self, leading: &HashSet<NodeIndex>) -> Option<(Names, Names)> {
+        let (own, all) = (self.of.own, &self.of.names);
+        let pivots = self.pivots_far(leading)?;
         let whole: HashSet<NodeIndex> =
-            pivots.iter().filter(|own| **own >= self.own).map(|&own| self.names[own].0).collect();
+            pivots.iter().filter(|pivot| **pivot >= own).map(|&pivot| all[pivot].0).collect();
         let follows = |column: &usize| {
-            let of_cloud = *column >= self.own && whole.contains(&self.names[*column].0);
+            let of_cloud = *column >= own && whole.contains(&all[*column].0);
             pivots.contains(column) || of_cloud && !self.taken[*column]
         };
-        let all: Vec<usize> = (0..self.names.len()).filter(follows).collect();
+        let found: Vec<usize> = (0..all.len()).filter(follows).collect();
         let names = |columns: &mut dyn Iterator<Item = &usize>| -> Names {
-            columns.map(|&column| self.names[column]).collect()
+            columns.map(|&column| all[column]).collect()
         };
-        let turning = names(&mut all.iter().filter(|column| !pivots.contains(column)));
-        (names(&mut all.iter()), turning)
+        let turning = names(&mut found.iter().filter(|column| !pivots.contains(column)));
+        Some((names(&mut found.iter()), turning))
     }
 
     /// The dofs for which the equations are solved: those of the reference node where all of them are free, else
     /// of nodes that are free in all directions and that nothing else follows, else of such that something
-    /// follows, else of free directions, else what follows in small motion.
-    fn pivots_far(&self, rows: Vec<Vec<f64>>, leading: &HashSet<NodeIndex>) -> Vec<usize> {
-        if !self.taken[..self.own].contains(&true) {
-            return self.pivots.to_vec();
+    /// follows; `None`: there are none.
+    fn pivots_far(&self, leading: &HashSet<NodeIndex>) -> Option<Vec<usize>> {
+        let OpenMean { own, rows, names, pivots, .. } = self.of;
+        if !self.taken[..*own].contains(&true) {
+            return Some(pivots.clone());
         }
+        let columns = || names.iter().zip(self.taken).enumerate();
         let held: HashSet<NodeIndex> =
-            self.names.iter().zip(self.taken).filter(|own| *own.1).map(|own| own.0.0).collect();
-        let columns = || self.names.iter().zip(self.taken).enumerate();
-        let of_whole = columns().map(|(place, own)| place < self.own || held.contains(&own.0.0));
+            columns().filter(|(_, own)| *own.1).map(|(_, own)| own.0.0).collect();
+        let of_whole = columns().map(|(place, name)| place < *own || held.contains(&name.0.0));
         let of_whole: Vec<bool> = of_whole.collect();
-        let is_leading = self.names.iter().map(|own| leading.contains(&own.0));
+        let is_leading = names.iter().map(|name| leading.contains(&name.0));
         let of_own = of_whole.iter().zip(is_leading).map(|(held, leads)| *held || leads).collect();
-        let of_free = columns().map(|(place, own)| place < self.own || *own.1);
-        let tried: [Vec<bool>; 3] = [of_own, of_whole, of_free.collect()];
+        let tried: [Vec<bool>; 2] = [of_own, of_whole];
         let found = tried.iter().find_map(|taken| solve(rows.clone(), 0, taken));
-        let solved = |rows: Vec<(usize, Vec<f64>)>| rows.into_iter().map(|own| own.0).collect();
-        found.map_or_else(|| self.pivots.to_vec(), solved)
+        found.map(|rows| rows.into_iter().map(|own| own.0).collect())
     }
 }

@@ -335,5 +335,17 @@ fn clouds_that_may_turn_far() {
     assert!(read("", "").mean_motions.is_empty());
     let second = "*COUPLING, REF NODE=10, SURFACE=SIDE, CONSTRAINT NAME=L\n*DISTRIBUTING\n1, 6\n";
     let both = of("*BOUNDARY\n9, 6, 6, 2.0\n10, 6, 6, 1.0\n", second, ", NLGEOM");
-    assert!(!errors(&interpret(&deck(&both, &[]), A)).is_empty());
+    let both = interpret(&deck(&both, &[]), A);
+    assert!(errors(&both).iter().all(|said| said.code.0 == "SL0347") && !errors(&both).is_empty());
+    // nodes that follow others already leave no whole ones: it stays linear
+    let follow = |node: usize| format!("*EQUATION\n2\n{node}, 2, 1.0, 1, 2, -1.0\n");
+    let equations: String = [3, 5, 6].map(follow).into_iter().collect();
+    let few = of("*BOUNDARY\n9, 6, 6, 1.0\n", &equations, ", NLGEOM");
+    let few = model(&deck(&few, &[]), A);
+    assert_eq!((few.mean_motions.len(), few.linear_mean_turns.len()), (0, 1));
+    // and so does one that a step of small motion shares
+    let small = of("*BOUNDARY\n9, 6, 6, 1.0\n", "", ", NLGEOM");
+    let small = small.replace("*END STEP", "*END STEP\n*STEP, NLGEOM=NO\n*STATIC\n*END STEP");
+    let small = model(&deck(&small, &[]), A);
+    assert_eq!((small.mean_motions.len(), small.linear_mean_turns.len()), (0, 1));
 }

@@ -41,7 +41,7 @@ const MOST: usize = 30;
 const KEPT: f64 = 1e-9;
 /// Followed dofs up to which all of them are coupled by the turning of forces: for more the matrix would be
 /// full of them, and iterations go on without.
-const COUPLED: usize = 3000;
+const COUPLED: usize = 1500;
 
 impl MeanRow {
     /// That of a mean motion of the model, with the dofs that follow and those along axes that turn.

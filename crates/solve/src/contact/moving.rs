@@ -28,6 +28,8 @@ const BESIDE: [(f64, f64); 4] = [
     (2.0 * STEP, -1.0 / (12.0 * STEP)),
 ];
 const STEP: f64 = 1e-3;
+/// Part of an element within which an end stands where contact begins [1].
+const STANDS: f64 = 1e-9;
 /// Part of a cell by which rounding may take an end of it inside [1].
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
@@ -152,7 +154,7 @@ impl MovingPoints {
     }
 
     /// Takes the points of a state at displacements `u.0` that began from `u.1`. `None`: an end stands
-    /// where its overclosure has no slope.
+    /// where its overclosure has no slope, or not where contact begins, as at an end of the master.
     pub fn take(
         &mut self,
         contact: &Contact,
@@ -221,6 +223,11 @@ impl MovingPoints {
             let (overclosure, _) = contact.gap_beside(place, (xi + step, &facing), u)?;
             Some(sum + weight * overclosure)
         });
+        let (stands, _) = contact.gap_beside(place, (xi, &facing), u)?;
+        let begins = contact.laws[pair].normal.contact_begins();
+        if (stands - begins).abs() > STANDS * slope?.abs() {
+            return None; // it ends with what it faces, or where that leaps
+        }
         let by_begin = 1.0 / slope?;
         let begin = entries.len();
         let rows = room.at(place).rows;

@@ -28,7 +28,9 @@ pub struct LinearisedContact {
     pub(super) yielded: Vec<f64>,
     /// Unknowns at the end of a step, and their values.
     pub(super) trial: [Vec<f64>; 2],
-    /// What the laws say of the rows of the dense way.
+    /// Stiffnesses that the rows feel, while others are tried.
+    pub(super) felt: Vec<f64>,
+    /// What the laws said last of the rows of the dense way: of a trial that may not have been taken.
     pub(super) laws: LawAnswers,
     /// Unknowns where the first way left them.
     pub(super) begun: Vec<f64>,
@@ -73,7 +75,7 @@ impl LinearisedContact {
         self.factors.factor();
         self.descent.reserve(rows, points);
         let vectors = [&mut self.unknown, &mut self.residual, &mut self.step, &mut self.yielded];
-        let kept = self.trial.iter_mut().chain([&mut self.begun]);
+        let kept = self.trial.iter_mut().chain([&mut self.begun, &mut self.felt]);
         vectors.into_iter().chain(kept).for_each(|vector| vector.reserve(rows));
         self.laws.rows.reserve(rows);
         self.laws.points.reserve(points);

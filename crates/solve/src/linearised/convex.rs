@@ -3,15 +3,15 @@
 //! ```text
 //!   energy |\         /      K0/2 du.du - beta.du + sum A W(e):   W convex,
 //!          | \___   _/       so the slope along a Newton direction only grows
-//!          |     \_/         and has one zero: there the step ends
+//!          |     \_/         and has one zero: a little before it the step ends
 //!          +--------> step
 //! ```
 //!
 //! Newton by the norm of the residual can be caught between the limits of
 //! friction, or among the active sets of a hard law, where a body is held by
 //! little else than contact. With limits mu p of fixed p (Tresca friction) the
-//! same equations are the gradient of a convex energy, and a step that ends where
-//! that energy is least never leaves the way to the solution. From there the laws
+//! same equations are the gradient of a convex energy, and a step that ends before
+//! that energy grows again never leaves the way to the solution. From there the laws
 //! are taken as they are again. docs/theory.md eq. (8.25). (derived)
 
 use super::condensed::LinearisedContact;

@@ -1,11 +1,10 @@
 //! A step towards the least energy for fixed limits of friction: the laws inserted, their slopes.
 
 use super::context::LawContext;
-use super::iterate::go;
 use super::laws::LawAnswers;
 use super::points::{Kind, LinearPoint, LinearPoints};
 use super::rows::{Row, RowSlopes, Unknown};
-use super::system::{System, eliminate_in_units};
+use super::system::{System, eliminate_in_units, go};
 use slideline_linalg::DenseLu;
 use slideline_mech::contact::enforcement::{Complementarity, TangentialComplementarity};
 use slideline_mech::contact::tangential::{Tangential, TangentialMap};
@@ -98,7 +97,8 @@ impl Descent {
         }
     }
 
-    /// Goes along the step to where the energy is least, or all of it where that lies beyond.
+    /// Goes along the step to a little before where the energy is least, or all of it where that lies
+    /// beyond.
     pub(super) fn descend_along_step(
         &mut self,
         system: &System<'_>,

@@ -5,7 +5,7 @@ use super::context::LawContext;
 use super::pivoting::pivoting;
 use super::points::{Kind, LinearPoints};
 use super::rows::{IntegrationPoints, Row};
-use super::system::{System, eliminate_in_units};
+use super::system::{System, eliminate_in_units, go};
 
 /// The most iterations of the condensed contact problem.
 const ITERATIONS: usize = 40;
@@ -31,11 +31,13 @@ impl LinearisedContact {
             return true;
         }
         self.begun.clone_from(&self.unknown);
+        self.felt.clear();
+        self.felt.extend(self.rows.iter().map(|row| row.kappa));
         for row in &mut self.rows {
-            (row.kappa, row.own) = (row.own.max(LEAST_OWN * row.kappa), row.kappa);
+            row.kappa = row.own.max(LEAST_OWN * row.kappa);
         }
         let is_found = self.newton(points, context);
-        self.rows.iter_mut().for_each(|row| row.kappa = row.own);
+        self.rows.iter_mut().zip(&self.felt).for_each(|(row, &felt)| row.kappa = felt);
         // next to no stiffness makes an overclosure that nothing presses out look like rounding
         if is_found && self.meets_laws(points, context) {
             return true;
@@ -94,7 +96,7 @@ impl LinearisedContact {
                 length *= 0.5;
                 // Nothing is gained from steps below rounding.
                 if rounded || length < SHORTEST {
-                    return rounded;
+                    return rounded && self.meets_laws(points, context);
                 }
             }
         }
@@ -148,12 +150,5 @@ impl LinearisedContact {
         };
         pivoting(&system, &candidates, &mut self.unknown);
         true
-    }
-}
-
-/// Where a way of so much along `step` leads from `from`.
-pub(super) fn go((from, length, step): (&[f64], f64, &[f64]), to: &mut [f64]) {
-    for ((to, from), step) in to.iter_mut().zip(from).zip(step) {
-        *to = from + length * step;
     }
 }

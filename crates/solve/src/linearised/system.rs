@@ -186,6 +186,13 @@ impl System<'_> {
     }
 }
 
+/// Where a way of so much along `step` leads from `from`.
+pub(super) fn go((from, length, step): (&[f64], f64, &[f64]), to: &mut [f64]) {
+    for ((to, from), step) in to.iter_mut().zip(from).zip(step) {
+        *to = from + length * step;
+    }
+}
+
 /// Eliminates with every row and column in the unit of its force, so that no
 /// choice of a pivot depends on how forces and lengths are measured.
 pub(super) fn eliminate_in_units(

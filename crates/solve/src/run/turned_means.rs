@@ -1,4 +1,4 @@
-//! Whether a cloud of nodes has turned too far for a node that follows a part of its mean turn, linearly.
+//! Whether a cloud of nodes has turned too far for a node that follows its mean turn linearly.
 //!
 //! ```text
 //!     o  o            o             what follows linearly sees sin a of the turn a, and its forces act
@@ -13,7 +13,7 @@ use crate::observe::Event;
 use crate::problem::Problem;
 use slideline_diag::{Code, Diagnostic};
 use slideline_mech::vector::size;
-use slideline_model::{Dof, PartOfMeanTurn};
+use slideline_model::{Dof, LinearMeanTurn};
 
 /// Turn from which on it is told [rad]: moments are wrong by half of its square, 0.5 %.
 const FAR: f64 = 0.1;
@@ -24,7 +24,7 @@ impl Analysis<'_> {
         if !plan.step.nlgeom {
             return Ok(());
         }
-        for (place, mean) in plan.model.parts_of_mean_turns.iter().enumerate() {
+        for (place, mean) in plan.model.linear_mean_turns.iter().enumerate() {
             if self.turned_means.contains(&place) {
                 continue;
             }
@@ -54,7 +54,7 @@ impl Analysis<'_> {
 }
 
 /// The mean turn of a cloud as small ones are [rad]: along the axis, the sine.
-fn turn_of(plan: &Problem<'_>, mean: &PartOfMeanTurn, u: &[f64]) -> [f64; 3] {
+fn turn_of(plan: &Problem<'_>, mean: &LinearMeanTurn, u: &[f64]) -> [f64; 3] {
     let mut sum = [0.0; 3];
     for (node, by) in &mean.turns {
         let moved = [Dof::U1, Dof::U2, Dof::U3]

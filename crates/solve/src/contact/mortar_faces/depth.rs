@@ -32,8 +32,8 @@ impl FaceState {
             return None;
         }
         let mean = sum(&self.sums.gaps) / area;
-        let seen = self.overlaps.iter().filter(|over| !over.went_in_elsewhere);
-        let gaps = seen.filter_map(|over| self.couple(own, over).least_gap(over));
+        let of_this_side = self.overlaps.iter().filter(|over| !over.went_in_elsewhere);
+        let gaps = of_this_side.filter_map(|over| self.couple(own, over).least_gap(over));
         let least = gaps.reduce(f64::min)?;
         Some((mean.min(0.0) - least) / sum(&self.places.corner_areas(&own.measure)).sqrt())
     }

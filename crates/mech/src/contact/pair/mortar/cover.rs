@@ -35,11 +35,10 @@ pub struct Cover {
     spans: Vec<Span>,
 }
 
-/// How far a segment is away [L].
+/// How far a segment is away in its middle, and where it is nearest [L].
 #[derive(Debug, Clone, Copy)]
 struct SegmentGap {
     middle: f64,
-    /// Where it is nearest: what has no width left has the gap of what is beside it.
     nearest: f64,
 }
 
@@ -153,8 +152,8 @@ impl Cover {
             };
             let bounds = segment.bounds.map(|bound| bound.at());
             let gap = |t: f64| at(t).map_or(f64::INFINITY, |(gap, _)| gap);
-            let (middle, opposite) =
-                at(0.5 * (bounds[0] + bounds[1])).unwrap_or((f64::INFINITY, WHOLE));
+            let found = at(0.5 * (bounds[0] + bounds[1]));
+            let (middle, opposite) = found.unwrap_or((0.0, FACING));
             segment.counts *= fading((WHOLE - opposite) / (WHOLE - FACING));
             let nearest = bounds.into_iter().map(gap).fold(middle, f64::min);
             self.gaps.push(SegmentGap { middle, nearest });
@@ -229,13 +228,17 @@ impl Cover {
     /// foot of a step, and a cover that is next to nothing. On the way there it counts less and less.
     fn drop_far(&mut self, slave: &Curve<f64>) {
         let chord = sub(slave.end(1), slave.end(0));
-        let far = self.gaps.iter().map(|gap| gap.middle).fold(f64::NEG_INFINITY, f64::max);
+        let length = dot(chord, chord).sqrt();
+        // each where it is nearest: a sliver that goes has the gap of what is beside it, and takes nothing with it
+        let gaps = self.gaps.iter().map(|gap| gap.nearest);
+        let (near, far) =
+            gaps.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), gap| (a.min(gap), b.max(gap)));
+        let far = far.min(near + FAR[1] * length);
         // what hardly counts does not say where the nearest part is
         let of = |(own, gap): (&Segment, &SegmentGap)| far + own.counts * (gap.nearest - far);
         let nearest = self.segments.iter().zip(&self.gaps).map(of).fold(f64::INFINITY, f64::min);
-        let length = dot(chord, chord).sqrt();
         for (segment, gap) in self.segments.iter_mut().zip(&self.gaps) {
-            let behind = (gap.middle - nearest) / length;
+            let behind = (gap.nearest - nearest) / length;
             segment.counts *= fading((behind - FAR[0]) / (FAR[1] - FAR[0]));
         }
         self.segments.retain(|segment| segment.counts > 0.0);

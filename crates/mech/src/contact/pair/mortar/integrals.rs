@@ -149,11 +149,11 @@ impl Integrals<f64> {
             let faced = master.blend(&master.shapes(master.crossed(at, normal)?).value);
             Some(dot(sub(faced, at), normal))
         };
-        let is_seen = |segment: usize| !segments[segment].went_in_elsewhere;
-        let bounds = self.spans.iter().enumerate().filter(|&(segment, _)| is_seen(segment));
+        let is_of_this_side = |segment: usize| !segments[segment].went_in_elsewhere;
+        let bounds = self.spans.iter().enumerate().filter(|&(segment, _)| is_of_this_side(segment));
         let bounds = bounds.flat_map(|(segment, span)| span.map(|t| (segment, t)));
         let of_station = |station: &Station<f64>| -dot(station.apart, station.normal);
-        let stations = self.stations.iter().filter(|own| is_seen(own.segment));
+        let stations = self.stations.iter().filter(|own| is_of_this_side(own.segment));
         let all = bounds.filter_map(gap).chain(stations.map(of_station));
         let least = all.reduce(f64::min)?;
         let area: f64 = self.stations.iter().map(|own| self.area(own)).sum();

@@ -3,7 +3,7 @@
 //! ```text
 //!     ====o====         of several pieces on a line the nearest counts; where that one turns
 //!      |  |  |          its back it hides what lies behind it, and what lies further behind
-//!   o--+--+--+--o       the nearest part than the piece is long is left out
+//!   o--+--+--+--o       the nearest part than twice the length of the piece is left out
 //! ```
 
 use super::super::ends_within::{counts, fading};
@@ -21,7 +21,7 @@ const STEEP: f64 = 0.2;
 const WHOLE: f64 = 2.0 * STEEP;
 /// Breadths of the piece behind its nearest part at which a part counts less, and no more [1]. (choice)
 const FAR: [f64; 2] = [1.0, 2.0];
-/// The same up to which a piece is seen at all: from there on it is a line.
+/// Cosine of that angle up to which a piece is seen at all [1]: from there on it is a line.
 const EDGEWISE: f64 = 1e-3;
 /// Parts of its own area that an overlap has in common with nearer ones from which on it counts less, and no more:
 /// it is hidden [1]. (choice)
@@ -71,9 +71,11 @@ struct Seen {
     overlap: Overlap,
     polygon: Polygon,
     gap: f64,
-    /// How far it is from the slave where it is nearest [L]: what has no breadth left has the gap of what is beside it.
+    /// How far it is from the slave where it is nearest [L].
     nearest: f64,
     faces: bool,
+    /// How much of it nothing hides [1].
+    shown: f64,
 }
 
 /// Where a piece of the slave is at an end of its surface.
@@ -186,7 +188,7 @@ impl Cover {
         let steep = if faces { (WHOLE + across) / (WHOLE - STEEP) } else { 0.0 };
         overlap.counts = fading(steep);
         if !(faces && gap < -WITHIN * thin) {
-            self.seen.push(Seen { overlap, polygon, gap, nearest, faces });
+            self.seen.push(Seen { overlap, polygon, gap, nearest, faces, shown: 1.0 });
         }
     }
 
@@ -231,13 +233,16 @@ impl Cover {
     }
 
     fn leave_out_far(&mut self, window: &Window) {
-        let far = self.seen.iter().map(|own| own.gap.abs()).fold(0.0, f64::max);
+        let breadth = window.area.sqrt();
+        // each where it is nearest: a sliver that goes has the gap of what is beside it, and takes nothing with it
+        let gaps = self.seen.iter().map(|own| own.nearest);
+        let (near, far) = gaps.fold((f64::INFINITY, 0.0), |(a, b), gap| (gap.min(a), gap.max(b)));
+        let far = f64::min(far, near + FAR[1] * breadth);
         // what hardly counts does not say where the nearest part is
         let of = |own: &Seen| far + own.overlap.counts * (own.nearest - far);
         let nearest = self.seen.iter().map(of).fold(f64::INFINITY, f64::min);
-        let breadth = window.area.sqrt();
         for own in &mut self.seen {
-            let behind = (own.gap.abs() - nearest) / breadth;
+            let behind = (own.nearest - nearest) / breadth;
             own.overlap.counts *= fading((behind - FAR[0]) / (FAR[1] - FAR[0]));
         }
         self.seen.retain(|own| own.overlap.counts > 0.0);
@@ -252,13 +257,15 @@ impl Cover {
         let mut kept = 0;
         for place in 0..self.seen.len() {
             let own = self.seen[place];
-            // pieces that are kept tile what they cover, so that common areas may be added
+            // what is shown of pieces that are kept all but tiles what they cover, so that common areas may be added
             let nearer = self.seen[..kept].iter();
-            let hidden: f64 = nearer.map(|other| own.polygon.common(&other.polygon)).sum();
+            let common = |other: &Seen| other.shown * own.polygon.common(&other.polygon);
+            let hidden: f64 = nearer.map(common).sum();
             let part = hidden / own.polygon.area();
             let by = fading((part - HIDDEN[0]) / (HIDDEN[1] - HIDDEN[0]));
             if by > 0.0 {
                 self.seen[kept] = own;
+                self.seen[kept].shown = by;
                 self.seen[kept].overlap.counts *= by;
                 kept += 1;
             }
