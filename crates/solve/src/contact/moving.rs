@@ -165,9 +165,8 @@ impl MovingPoints {
         if contact.segments.is_empty() {
             return Some(());
         }
-        if self.room.points().len() != contact.points.len() {
-            contact.forget(&mut self.room);
-        }
+        // it may be of another case of a study
+        contact.forget(&mut self.room);
         for segment in &contact.segments {
             for cell in 0..CELLS {
                 if let Some(part) = segment.closed_before(cell, points) {

@@ -21,8 +21,9 @@ const LEAST: f64 = 1e-4;
 const FACING: f64 = 0.26;
 /// The same from which on all counts: 59 degrees. (choice)
 const WHOLE: f64 = 2.0 * FACING;
-/// Lengths of the face behind its nearest part at which a part counts less, and no more [1]. (choice)
-const FAR: [f64; 2] = [0.5, 1.0];
+/// Lengths of the face behind its nearest part at which the middle of a part counts less, and no more [1]: what leans
+/// as far as all counts, and covers the whole face, is not behind itself. (choice)
+const FAR: [f64; 2] = [0.85, 1.25];
 /// Most iterations towards a projection.
 const MOST: usize = 60;
 
@@ -229,16 +230,15 @@ impl Cover {
     fn drop_far(&mut self, slave: &Curve<f64>) {
         let chord = sub(slave.end(1), slave.end(0));
         let length = dot(chord, chord).sqrt();
-        // each where it is nearest: a sliver that goes has the gap of what is beside it, and takes nothing with it
-        let gaps = self.gaps.iter().map(|gap| gap.nearest);
-        let (near, far) =
-            gaps.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), gap| (a.min(gap), b.max(gap)));
+        // nearest also at ends: a sliver that goes has the gap of what is beside it, and takes nothing with it
+        let near = self.gaps.iter().map(|gap| gap.nearest).fold(f64::INFINITY, f64::min);
+        let far = self.gaps.iter().map(|gap| gap.middle).fold(f64::NEG_INFINITY, f64::max);
         let far = far.min(near + FAR[1] * length);
         // what hardly counts does not say where the nearest part is
         let of = |(own, gap): (&Segment, &SegmentGap)| far + own.counts * (gap.nearest - far);
         let nearest = self.segments.iter().zip(&self.gaps).map(of).fold(f64::INFINITY, f64::min);
         for (segment, gap) in self.segments.iter_mut().zip(&self.gaps) {
-            let behind = (gap.nearest - nearest) / length;
+            let behind = (gap.middle - nearest) / length;
             segment.counts *= fading((behind - FAR[0]) / (FAR[1] - FAR[0]));
         }
         self.segments.retain(|segment| segment.counts > 0.0);

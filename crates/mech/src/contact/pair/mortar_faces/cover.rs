@@ -3,7 +3,7 @@
 //! ```text
 //!     ====o====         of several pieces on a line the nearest counts; where that one turns
 //!      |  |  |          its back it hides what lies behind it, and what lies further behind
-//!   o--+--+--+--o       the nearest part than twice the length of the piece is left out
+//!   o--+--+--+--o       the nearest part than the piece is long is left out
 //! ```
 
 use super::super::ends_within::{counts, fading};
@@ -19,8 +19,9 @@ use super::shapes::{MOST_CORNERS, MOST_NODES, edge_between, pieces};
 const STEEP: f64 = 0.2;
 /// The same from which on all counts. (choice)
 const WHOLE: f64 = 2.0 * STEEP;
-/// Breadths of the piece behind its nearest part at which a part counts less, and no more [1]. (choice)
-const FAR: [f64; 2] = [1.0, 2.0];
+/// Lengths of the piece behind its nearest part at which the middle of a part counts less, and no more [1]: what leans
+/// as far as all counts, and covers the whole piece, is not behind itself. (choice)
+const FAR: [f64; 2] = [1.15, 1.75];
 /// Cosine of that angle up to which a piece is seen at all [1]: from there on it is a line.
 const EDGEWISE: f64 = 1e-3;
 /// Parts of its own area that an overlap has in common with nearer ones from which on it counts less, and no more:
@@ -233,16 +234,16 @@ impl Cover {
     }
 
     fn leave_out_far(&mut self, window: &Window) {
-        let breadth = window.area.sqrt();
-        // each where it is nearest: a sliver that goes has the gap of what is beside it, and takes nothing with it
-        let gaps = self.seen.iter().map(|own| own.nearest);
-        let (near, far) = gaps.fold((f64::INFINITY, 0.0), |(a, b), gap| (gap.min(a), gap.max(b)));
-        let far = f64::min(far, near + FAR[1] * breadth);
+        let length = longest_way(window.corners());
+        // nearest also at corners: a sliver that goes has the gap of what is beside it, and takes nothing with it
+        let near = self.seen.iter().map(|own| own.nearest).fold(f64::INFINITY, f64::min);
+        let far = self.seen.iter().map(|own| own.gap.abs()).fold(0.0, f64::max);
+        let far = f64::min(far, near + FAR[1] * length);
         // what hardly counts does not say where the nearest part is
         let of = |own: &Seen| far + own.overlap.counts * (own.nearest - far);
         let nearest = self.seen.iter().map(of).fold(f64::INFINITY, f64::min);
         for own in &mut self.seen {
-            let behind = (own.nearest - nearest) / breadth;
+            let behind = (own.gap.abs() - nearest) / length;
             own.overlap.counts *= fading((behind - FAR[0]) / (FAR[1] - FAR[0]));
         }
         self.seen.retain(|own| own.overlap.counts > 0.0);
@@ -284,4 +285,10 @@ impl Cover {
             && far - near <= window.area.sqrt()
             && whole <= (1.0 + ROUNDING) * window.area
     }
+}
+
+/// The longest way between two of these corners [L].
+fn longest_way(corners: &[[f64; 2]]) -> f64 {
+    let ways = corners.iter().flat_map(|a| corners.iter().map(move |b| flat_sub(*a, *b)));
+    ways.map(|[x, y]| x.hypot(y)).fold(0.0, f64::max)
 }
