@@ -31,8 +31,6 @@ pub(super) struct Descent {
     /// And what they give.
     pub(super) values_from: Vec<f64>,
     pub(super) step: Vec<f64>,
-    /// C times the step.
-    pub(super) yielded: Vec<f64>,
     /// A C step: how the energy falls with the residual of each row.
     pub(super) push: Vec<f64>,
     pub(super) residual: Vec<f64>,
@@ -50,7 +48,7 @@ pub(super) struct Descent {
 impl Descent {
     /// Room for `m` rows and so many points, so that later steps allocate nothing.
     pub fn reserve(&mut self, m: usize, points: usize) {
-        self.make_room(m, points);
+        self.make_room(m, 0);
         self.held.reserve(points, ROWS);
         // factored once, so that what it needs is there
         self.factors.matrix_mut(m);
@@ -59,8 +57,8 @@ impl Descent {
 
     /// Room for `m` rows, and for what the laws say of them and of integration points.
     pub(super) fn make_room(&mut self, m: usize, integration_points: usize) {
-        let Self { from, values_from, step, yielded, push, residual, values, .. } = self;
-        for list in [from, values_from, step, yielded, push, residual, values] {
+        let Self { from, values_from, step, push, residual, values, .. } = self;
+        for list in [from, values_from, step, push, residual, values] {
             list.resize(m, 0.0);
         }
         [&mut self.jacobian, &mut self.stiffness]
@@ -88,13 +86,8 @@ impl Descent {
         system.jacobian(points, &self.laws, &mut self.jacobian, &mut self.stiffness);
         self.step.copy_from_slice(&self.residual);
         eliminate_in_units(system.rows, &self.jacobian, &mut self.factors, &mut self.step);
-        system.product(&self.step, &mut self.yielded);
-        for ((push, row), &moved) in self.push.iter_mut().zip(system.rows).zip(&self.yielded) {
-            *push = match row.unknown {
-                Unknown::Multiplier { .. } => moved / row.unit,
-                Unknown::Interface { .. } => moved,
-            };
-        }
+        system.product(&self.step, &mut self.push);
+        self.push.iter_mut().zip(system.rows).for_each(|(push, row)| *push /= measure(row));
     }
 
     /// Goes along the step to a little before where the energy is least, or all of it where that lies
@@ -111,7 +104,7 @@ impl Descent {
         let (mut low, mut high) = (0.0, 1.0);
         let mut at = 1.0;
         for _ in 0..HALVINGS {
-            self.go(at, unknown);
+            self.go(system, at, unknown);
             self.evaluate(system, unknown, points, fixed);
             let slope = self.slope();
             if at == 1.0 && slope >= -ROUNDING * begun {
@@ -139,15 +132,26 @@ impl Descent {
     }
 
     /// Goes so much of the step.
-    fn go(&mut self, at: f64, unknown: &mut [f64]) {
+    fn go(&mut self, system: &System<'_>, at: f64, unknown: &mut [f64]) {
         go((&self.from, -at, &self.step), unknown);
-        go((&self.values_from, at, &self.yielded), &mut self.values);
+        let from = self.values_from.iter().zip(&self.push).zip(system.rows);
+        for (value, ((from, push), row)) in self.values.iter_mut().zip(from) {
+            *value = from + at * push * measure(row);
+        }
     }
 
     /// Energy that the step gains per length of it; below zero beyond the place
     /// where the energy is least [F L].
     pub(super) fn slope(&self) -> f64 {
         self.push.iter().zip(&self.residual).map(|(push, f)| push * f).sum()
+    }
+}
+
+/// What a row's part of the energy is measured in: the area that makes a force of its pressure or traction [L2].
+fn measure(row: &Row) -> f64 {
+    match row.unknown {
+        Unknown::Multiplier { .. } => row.unit,
+        Unknown::Interface { .. } => 1.0,
     }
 }
 
