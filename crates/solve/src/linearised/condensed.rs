@@ -75,7 +75,7 @@ impl LinearisedContact {
         self.factors.factor();
         self.descent.reserve(rows, points);
         let vectors = [&mut self.unknown, &mut self.residual, &mut self.step, &mut self.yielded];
-        let kept = self.trial.iter_mut().chain([&mut self.begun]);
+        let kept = self.trial.iter_mut().chain([&mut self.begun, &mut self.felt]);
         vectors.into_iter().chain(kept).for_each(|vector| vector.reserve(rows));
         self.laws.rows.reserve(rows);
         self.in_rows.reserve(points);
