@@ -75,9 +75,10 @@ impl LinearisedContact {
         self.factors.factor();
         self.descent.reserve(rows, points);
         let vectors = [&mut self.unknown, &mut self.residual, &mut self.step, &mut self.yielded];
-        let kept = self.trial.iter_mut().chain([&mut self.begun, &mut self.felt]);
+        let kept = self.trial.iter_mut().chain([&mut self.begun]);
         vectors.into_iter().chain(kept).for_each(|vector| vector.reserve(rows));
         self.laws.rows.reserve(rows);
+        self.laws.points.reserve(points);
         self.in_rows.reserve(points);
         self.inserted.reserve(points);
         self.moved.reserve(equations);
