@@ -73,7 +73,6 @@ impl LinearisedContact {
         // factored once, so that what it needs is there
         self.factors.matrix_mut(rows);
         self.factors.factor();
-        self.descent.reserve(rows, points);
         let vectors = [&mut self.unknown, &mut self.residual, &mut self.step, &mut self.yielded];
         let kept = self.trial.iter_mut().chain([&mut self.begun]);
         vectors.into_iter().chain(kept).for_each(|vector| vector.reserve(rows));

@@ -34,6 +34,7 @@ impl LinearisedContact {
     /// after one another.
     pub(super) fn minimise(&mut self, points: &LinearPoints, context: &LawContext<'_>) {
         let mut work = std::mem::take(&mut self.descent);
+        work.reserve(self.rows.capacity(), points.len());
         let mut held = std::mem::take(&mut work.held);
         held.copy_from(points);
         let fixed = LawContext { symmetrised: true, ..*context };

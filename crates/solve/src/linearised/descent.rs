@@ -46,9 +46,13 @@ pub(super) struct Descent {
 }
 
 impl Descent {
-    /// Room for `m` rows and so many points, so that later steps allocate nothing.
-    pub fn reserve(&mut self, m: usize, points: usize) {
-        self.make_room(m, 0);
+    /// Room for `m` rows and so many points, taken when a descent is first needed, so that later ones
+    /// allocate nothing.
+    pub(super) fn reserve(&mut self, m: usize, points: usize) {
+        if self.from.capacity() >= m {
+            return;
+        }
+        self.make_room(m, points);
         self.held.reserve(points, ROWS);
         // factored once, so that what it needs is there
         self.factors.matrix_mut(m);
