@@ -190,7 +190,7 @@ fn frames_of_nodes_on_a_soft_circle() {
 
 /// Requirement: the same of contact that is integrated along beams, whose integration points follow the closed
 /// parts of their cells, by section, material, friction, motion, the clearance at which contact begins and the width; with the
-/// surface at the line of the beam and at its face. By all of them but what moves places one pair of models tells.
+/// surface at the line of the beam and at its face. By all of them but what moves places one or two pairs of models tell.
 #[test]
 fn frames_of_a_beam_along_a_soft_circle() {
     let law = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=EXPONENTIAL\n<clearance>, 40.0\n";

@@ -313,6 +313,11 @@ impl Contact {
             })
     }
 
+    /// Whether rates tell the slips of all points: those of nodes are differences of positions.
+    pub fn slips_by_rates(&self) -> bool {
+        self.points.iter().all(super::pairs::SlavePoint::is_integration_point)
+    }
+
     /// Lets an integration point stand at `xi` of its element with its rows, against what it faces there or what is
     /// given; what it faces. `None`: nothing.
     fn stand_along(

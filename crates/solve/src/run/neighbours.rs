@@ -79,12 +79,35 @@ impl Increment<'_> {
                 continue;
             }
             let of = (&mut *varied, course);
-            if is_told && self.course_by_tangent(of, (&mut linear, &*kept), room, observer)? {
+            if is_told && self.course_by_pairs(of, (&mut linear, &*kept), room, observer)? {
                 continue;
             }
             self.course((varied, course), &mut linear, room, observer)?;
         }
         ControlFlow::Continue(())
+    }
+
+    /// Differentiates by a parameter with the tangent and the first pair over which nothing bends;
+    /// whether one told.
+    fn course_by_pairs(
+        &self,
+        (varied, course): (&mut Varied, usize),
+        (linear, kept): (&mut Linear<'_>, &Kept),
+        room: &mut Room,
+        observer: &mut dyn Observer,
+    ) -> ControlFlow<Stop, bool> {
+        for place in varied.courses[course].pairs(self.target.increment) {
+            let is_asked = place == 0 || self.plan.contact.slips_by_rates();
+            if !is_asked || !varied.has_pair(course, place, self.model) {
+                break;
+            }
+            let of = (&mut *varied, course, place);
+            if self.course_by_tangent(of, (&mut *linear, kept), room, observer)? {
+                varied.courses[course].note_pair(place);
+                return ControlFlow::Continue(true);
+            }
+        }
+        ControlFlow::Continue(false)
     }
 
     /// Open points that bear on nothing: they are looked at once the rates are known.
@@ -118,7 +141,7 @@ impl Increment<'_> {
     /// Differentiates by a parameter with the tangent and a pair; whether it told.
     fn course_by_tangent(
         &self,
-        (varied, course): (&mut Varied, usize),
+        (varied, course, place): (&mut Varied, usize, usize),
         (linear, kept): (&mut Linear<'_>, &Kept),
         room: &mut Room,
         observer: &mut dyn Observer,
@@ -128,7 +151,7 @@ impl Increment<'_> {
         let scale = own.parameter.scale;
         let mut rates = std::mem::take(&mut room.rates_of_state);
         let mut told = false;
-        if let Some((level, touched, known)) = own.beside(self.plan.start) {
+        if let Some((level, touched, known)) = own.beside(place, self.plan.start) {
             let around: [Surroundings<'_>; 2] = self.surroundings(level, known, room);
             let problems = around.each_ref().map(|own| own.problem(self.plan, self.target.step));
             let pair = Pair { problems: &problems, touched, known, h: level.h };

@@ -9,11 +9,13 @@ use crate::plan::Plan;
 use crate::start::Start;
 use crate::users::UserFrictions;
 use slideline_model::Model;
+use std::ops::Range;
 
-/// Step of the pair of neighbours that stand beside the base with its displacements, in scales of the
-/// parameter. Its square is truncation of how forces follow a section or a law; rounding grows with its
-/// inverse, but displacements have no part in it.
-const BESIDE: f64 = 1e-5;
+/// Steps of the pairs of neighbours that stand beside the base with its displacements, in scales of the
+/// parameter. Their square is truncation of how forces follow a section or a law; rounding grows with their
+/// inverse, but displacements have no part in it. The second one is asked where a law bends over the first and slips
+/// are told by rates: between the positions of nodes that stick rounding would decide.
+const BESIDE: &[f64] = &[1e-5, 1e-6];
 /// Increments after which a larger step is tried again.
 const AGAIN: usize = 8;
 
@@ -22,10 +24,13 @@ const AGAIN: usize = 8;
 pub struct Course {
     /// The parameter.
     pub parameter: Parameter,
-    /// The pair of neighbours beside the base.
-    pair: Level,
-    /// What differs in them; `None`: more than the tangent can tell.
-    touched: Option<Touched>,
+    /// Pairs of neighbours beside the base, with what differs in them; `None`: more than the tangent can
+    /// tell.
+    pairs: Vec<(Level, Option<Touched>)>,
+    /// Place of the pair that told last.
+    told: usize,
+    /// Whether there are no others.
+    all_made: bool,
     /// Neighbours with the steps that were needed so far.
     levels: Vec<Level>,
     /// Places of the steps that did in the last increment and the one before.
@@ -62,16 +67,12 @@ impl Varied {
         let mut varied = Self { courses: Vec::new(), plan: plan.clone(), users: users.clone() };
         for parameter in parameters {
             let parameter = parameter.clone();
-            let pair = (&parameter, BESIDE * parameter.scale, &PAIR[..]);
-            let pair = Level::new(pair, (plan, model, users))?;
-            let touched = match &pair.near[..] {
-                [(below, _), (above, _)] => Touched::of(model, [below, above]),
-                _ => None,
-            };
+            let pairs = vec![pair(&parameter, BESIDE[0], (plan, model, users))?];
             varied.courses.push(Course {
                 parameter,
-                pair,
-                touched,
+                pairs,
+                told: 0,
+                all_made: false,
                 levels: Vec::new(),
                 recent: [0; 2],
                 state: Vec::new(),
@@ -81,6 +82,20 @@ impl Varied {
             });
         }
         Ok(varied)
+    }
+
+    /// Makes the pair beside the base of that place; whether there is one.
+    pub fn has_pair(&mut self, course: usize, place: usize, model: &Model) -> bool {
+        let own = &mut self.courses[course];
+        while own.pairs.len() <= place && !own.all_made {
+            let step = BESIDE.get(own.pairs.len());
+            let at = (&self.plan, model, &self.users);
+            match step.and_then(|&step| pair(&own.parameter, step, at).ok()) {
+                Some(new) => own.pairs.push(new),
+                None => own.all_made = true,
+            }
+        }
+        own.pairs.len() > place
     }
 
     /// The neighbours of a parameter with the step of that place.
@@ -103,6 +118,21 @@ impl Varied {
     }
 }
 
+/// The pair beside a model with a step, in scales of the parameter, and what differs in it.
+fn pair(
+    parameter: &Parameter,
+    step: f64,
+    (plan, model, users): (&Plan, &Model, &UserFrictions),
+) -> Result<(Level, Option<Touched>), SensitivityFault> {
+    let level = (parameter, step * parameter.scale, &PAIR[..]);
+    let level = Level::new(level, (plan, model, users))?;
+    let touched = match &level.near[..] {
+        [(below, _), (above, _)] => Touched::of(model, [below, above]),
+        _ => None,
+    };
+    Ok((level, touched))
+}
+
 /// Why a model has no derivative by a parameter, if it has none.
 pub fn sensitivity_fault(
     parameter: &Parameter,
@@ -121,24 +151,45 @@ impl Course {
         (level, &self.state)
     }
 
-    /// The pair of neighbours beside the base in a step that begins from `start`, what differs in
-    /// them, and the derivative of the state; `None`: more differs than the tangent can tell.
-    pub fn beside(&mut self, start: &Start<'_>) -> Option<(&Level, &Touched, &[f64])> {
-        let touched = self.touched.as_ref()?;
-        self.pair.take_starts(start, &self.start);
-        Some((&self.pair, touched, &self.state))
+    /// The pair of a place that was made, in a step that begins from `start`, what differs in it, and the
+    /// derivative of the state; `None`: more differs than the tangent can tell.
+    pub fn beside(
+        &mut self,
+        place: usize,
+        start: &Start<'_>,
+    ) -> Option<(&Level, &Touched, &[f64])> {
+        let (level, touched) = self.pairs.get_mut(place)?;
+        let touched = touched.as_ref()?;
+        level.take_starts(start, &self.start);
+        Some((level, touched, &self.state))
+    }
+
+    /// Places of the pairs to ask in an increment, one behind the other: now and then a wider one is tried
+    /// again.
+    pub fn pairs(&self, increment: usize) -> Range<usize> {
+        let first = if increment.is_multiple_of(AGAIN) { 0 } else { self.told };
+        match self.pairs[0].1.is_some() {
+            true => first..BESIDE.len(),
+            false => 0..0,
+        }
+    }
+
+    /// Notes the place of a pair that told.
+    pub fn note_pair(&mut self, place: usize) {
+        self.told = place;
     }
 
     /// Whether the pair tells how a step begins: nothing comes or leaves.
     pub fn begins_simply(&self) -> bool {
-        self.touched.as_ref().is_some_and(|own| own.begins_simply)
+        self.pairs[0].1.as_ref().is_some_and(|own| own.begins_simply)
     }
 
     /// The neighbours that tell how a step begins, with what each counts: the pair, or those with the
     /// step of a place that was made.
     pub fn of_beginning(&self, place: usize) -> (&Level, Vec<f64>) {
         if self.begins_simply() {
-            return (&self.pair, PAIR.map(|side| 0.5 * side / self.pair.h).to_vec());
+            let pair = &self.pairs[0].0;
+            return (pair, PAIR.map(|side| 0.5 * side / pair.h).to_vec());
         }
         let level = &self.levels[place];
         (level, Weights::of(Side::Both, level.h).near.to_vec())
@@ -158,6 +209,7 @@ impl Course {
 
     /// Notes how what a step begins from follows the parameter.
     pub fn begin_step(&mut self) {
-        self.levels.iter_mut().chain([&mut self.pair]).for_each(Level::begin_step);
+        let pairs = self.pairs.iter_mut().map(|own| &mut own.0);
+        self.levels.iter_mut().chain(pairs).for_each(Level::begin_step);
     }
 }
