@@ -42,6 +42,7 @@ mod rows;
 mod settle;
 mod slopes;
 mod solve;
+mod step_room;
 mod system;
 
 pub use augmentation::Stiffness;

@@ -4,10 +4,10 @@
 use super::compliance::MatrixFree;
 use super::context::LawContext;
 use super::descent::Descent;
-use super::laws::{LawAnswers, PointAnswer};
+use super::laws::PointAnswer;
 use super::points::{Kind, LinearPoint, LinearPoints, LinearRows, Sliding};
 use super::rows::{IntegrationPoints, Row, Unknown};
-use slideline_linalg::DenseLu;
+use super::step_room::StepRoom;
 use slideline_mech::contact::tangential::Tangential;
 use std::collections::HashMap;
 
@@ -22,28 +22,14 @@ pub struct LinearisedContact {
     pub(super) unknown: Vec<f64>,
     /// Multipliers at which the base of the matrix-free way stands.
     pub(super) anchor: Vec<f64>,
-    pub(super) residual: Vec<f64>,
-    pub(super) step: Vec<f64>,
-    /// C times the step.
-    pub(super) yielded: Vec<f64>,
-    /// Unknowns at the end of a step, and their values.
-    pub(super) trial: [Vec<f64>; 2],
+    pub(super) room: StepRoom,
     /// Stiffnesses that the rows feel, while others are tried.
     pub(super) felt: Vec<f64>,
-    /// What the laws said last of the rows of the dense way: of a trial that may not have been taken.
-    pub(super) laws: LawAnswers,
     /// Unknowns where the first way left them.
     pub(super) begun: Vec<f64>,
-    pub(super) jacobian: Vec<f64>,
-    /// Its factors.
-    pub(super) factors: DenseLu,
-    /// dF/dd of the interface rows, row-major over all rows.
-    pub(super) stiffness: Vec<f64>,
     pub(super) in_rows: Vec<bool>,
     /// du by the present estimate.
     pub(super) moved: Vec<f64>,
-    /// Displacements of the interface rows.
-    pub(super) values: Vec<f64>,
     pub(super) integration_points: IntegrationPoints,
     /// Rows of equations that integration_points press on.
     pub(super) interface: HashMap<usize, usize>,
@@ -58,6 +44,9 @@ pub struct LinearisedContact {
 /// The most rounds in which further points may join.
 pub(super) const ROUNDS: usize = 12;
 
+/// Equations of a point that room is kept for.
+const ROWS: usize = 18;
+
 impl LinearisedContact {
     /// Makes room for `points` points of a system of `equations`, so that
     /// later iterations allocate nothing.
@@ -69,19 +58,12 @@ impl LinearisedContact {
         self.rows.reserve(rows);
         self.response.reserve(rows * equations);
         self.compliance.reserve(rows * rows);
-        self.jacobian.reserve(rows * rows);
-        // factored once, so that what it needs is there
-        self.factors.matrix_mut(rows);
-        self.factors.factor();
-        let vectors = [&mut self.unknown, &mut self.residual, &mut self.step, &mut self.yielded];
-        let kept = self.trial.iter_mut().chain([&mut self.begun]);
-        vectors.into_iter().chain(kept).for_each(|vector| vector.reserve(rows));
-        self.laws.rows.reserve(rows);
-        self.laws.points.reserve(points);
+        [&mut self.unknown, &mut self.begun].into_iter().for_each(|vector| vector.reserve(rows));
+        self.room.reserve(rows, points);
+        self.descent.held.reserve(points, ROWS);
         self.in_rows.reserve(points);
         self.inserted.reserve(points);
         self.moved.reserve(equations);
-        self.values.reserve(rows);
     }
 
     /// Solutions with the factored stiffness that the last contact step took, of
@@ -168,7 +150,7 @@ impl LinearisedContact {
         for integration_point in self.integration_points.iter() {
             let place = integration_point.point;
             let answer =
-                context.integration_point(integration_point, &points.at(place), &self.values);
+                context.integration_point(integration_point, &points.at(place), &self.room.values);
             points[place].pressure = answer.pressure;
             points[place].set_traction(answer.traction);
         }

@@ -34,24 +34,25 @@ impl LinearisedContact {
     /// after one another.
     pub(super) fn minimise(&mut self, points: &LinearPoints, context: &LawContext<'_>) {
         let mut work = std::mem::take(&mut self.descent);
-        work.reserve(self.rows.capacity(), points.len());
+        std::mem::swap(&mut work.room, &mut self.room);
         let mut held = std::mem::take(&mut work.held);
         held.copy_from(points);
         let fixed = LawContext { symmetrised: true, ..*context };
         work.steps = 0;
         for _ in 0..ROUNDS {
             self.descend(&held, &fixed, &mut work);
-            if self.follow_pressures(&mut held, &fixed, &mut work.values) {
+            if self.follow_pressures(&mut held, &fixed, &mut work.room.values) {
                 break;
             }
         }
         work.held = held;
+        std::mem::swap(&mut work.room, &mut self.room);
         self.descent = work;
     }
 
     /// Newton with steps that end where the energy is least.
     fn descend(&mut self, points: &LinearPoints, fixed: &LawContext<'_>, work: &mut Descent) {
-        work.make_room(self.rows.len(), self.integration_points.len());
+        work.room.resize(self.rows.len(), self.integration_points.len());
         let unknown = &mut self.unknown;
         let system = System {
             rows: &self.rows,
@@ -60,9 +61,9 @@ impl LinearisedContact {
         };
         let mut before = f64::INFINITY;
         for _ in 0..STEPS {
-            system.values(unknown, &mut work.values);
+            system.values(unknown, &mut work.room.values);
             let size = work.evaluate(&system, unknown, points, fixed);
-            let largest = system.largest_multiplier(unknown, &work.values);
+            let largest = system.largest_multiplier(unknown, &work.room.values);
             // with many rows rounding leaves more than the least that is asked for, and all
             // further steps would go into it
             let rounded = size <= ROUNDED * ROUNDED * largest && size > 0.25 * before;

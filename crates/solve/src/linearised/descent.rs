@@ -1,11 +1,10 @@
 //! A step towards the least energy for fixed limits of friction: the laws inserted, their slopes.
 
 use super::context::LawContext;
-use super::laws::LawAnswers;
 use super::points::{Kind, LinearPoint, LinearPoints};
 use super::rows::{Row, RowSlopes, Unknown};
+use super::step_room::StepRoom;
 use super::system::{System, eliminate_in_units, go};
-use slideline_linalg::DenseLu;
 use slideline_mech::contact::enforcement::{Complementarity, TangentialComplementarity};
 use slideline_mech::contact::tangential::{Tangential, TangentialMap};
 
@@ -18,27 +17,14 @@ const HALVINGS: usize = 40;
 const ENDED: f64 = 0.1;
 /// Part of it that counts as rounding [1].
 const ROUNDING: f64 = 1e-9;
-/// Equations of a point that room is kept for.
-const ROWS: usize = 18;
 
 /// Scratch of a descent, kept.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Descent {
     /// Points with the pressures that limit friction.
     pub(super) held: LinearPoints,
-    /// Unknowns at the beginning of a step.
-    pub(super) from: Vec<f64>,
-    /// And what they give.
-    pub(super) values_from: Vec<f64>,
-    pub(super) step: Vec<f64>,
-    /// A C step: how the energy falls with the residual of each row.
-    pub(super) push: Vec<f64>,
-    pub(super) residual: Vec<f64>,
-    pub(super) jacobian: Vec<f64>,
-    pub(super) factors: DenseLu,
-    pub(super) stiffness: Vec<f64>,
-    pub(super) values: Vec<f64>,
-    pub(super) laws: LawAnswers,
+    /// That of Newton's steps while it goes on.
+    pub(super) room: StepRoom,
     /// Whether slopes are those of stick, sliding or not.
     pub(super) steepest: bool,
     /// Steps of the last descent, over all rounds.
@@ -46,32 +32,6 @@ pub(super) struct Descent {
 }
 
 impl Descent {
-    /// Room for `m` rows and so many points, taken when a descent is first needed, so that later ones
-    /// allocate nothing.
-    pub(super) fn reserve(&mut self, m: usize, points: usize) {
-        if self.from.capacity() >= m {
-            return;
-        }
-        self.make_room(m, points);
-        self.held.reserve(points, ROWS);
-        // factored once, so that what it needs is there
-        self.factors.matrix_mut(m);
-        self.factors.factor();
-    }
-
-    /// Room for `m` rows, and for what the laws say of them and of integration points.
-    pub(super) fn make_room(&mut self, m: usize, integration_points: usize) {
-        let Self { from, values_from, step, push, residual, values, .. } = self;
-        for list in [from, values_from, step, push, residual, values] {
-            list.resize(m, 0.0);
-        }
-        [&mut self.jacobian, &mut self.stiffness]
-            .into_iter()
-            .for_each(|square| square.resize(m * m, 0.0));
-        self.laws.make_room(m, integration_points);
-        self.steepest = false;
-    }
-
     /// F = lambda - law with the laws inserted at the values that are there; its weighted square.
     pub(super) fn evaluate(
         &mut self,
@@ -80,18 +40,20 @@ impl Descent {
         points: &LinearPoints,
         fixed: &LawContext<'_>,
     ) -> f64 {
-        let at = (unknown, &self.values[..], points);
-        let laws = &mut self.laws;
-        system.residual_of_inserted(at, (fixed, self.steepest), &mut self.residual, laws)
+        let at = (unknown, &self.room.values[..], points);
+        let laws = &mut self.room.laws;
+        system.residual_of_inserted(at, (fixed, self.steepest), &mut self.room.residual, laws)
     }
 
     /// The step, J step = F, and what the energy says of it.
     pub(super) fn find_step(&mut self, system: &System<'_>, points: &LinearPoints) {
-        system.jacobian(points, &self.laws, &mut self.jacobian, &mut self.stiffness);
-        self.step.copy_from_slice(&self.residual);
-        eliminate_in_units(system.rows, &self.jacobian, &mut self.factors, &mut self.step);
-        system.product(&self.step, &mut self.push);
-        self.push.iter_mut().zip(system.rows).for_each(|(push, row)| *push /= measure(row));
+        let StepRoom { residual, step, yielded: push, jacobian, factors, stiffness, laws, .. } =
+            &mut self.room;
+        system.jacobian(points, laws, jacobian, stiffness);
+        step.copy_from_slice(residual);
+        eliminate_in_units(system.rows, jacobian, factors, step);
+        system.product(step, push);
+        push.iter_mut().zip(system.rows).for_each(|(push, row)| *push /= measure(row));
     }
 
     /// Goes along the step to a little before where the energy is least, or all of it where that lies
@@ -131,23 +93,26 @@ impl Descent {
 
     /// Begins steps from the unknowns and the values that are there.
     fn begin(&mut self, unknown: &[f64]) {
-        self.from.copy_from_slice(unknown);
-        self.values_from.copy_from_slice(&self.values);
+        let [from, values_from] = &mut self.room.trial;
+        from.copy_from_slice(unknown);
+        values_from.copy_from_slice(&self.room.values);
     }
 
     /// Goes so much of the step.
     fn go(&mut self, system: &System<'_>, at: f64, unknown: &mut [f64]) {
-        go((&self.from, -at, &self.step), unknown);
-        let from = self.values_from.iter().zip(&self.push).zip(system.rows);
-        for (value, ((from, push), row)) in self.values.iter_mut().zip(from) {
-            *value = from + at * push * measure(row);
+        let StepRoom { step, yielded: push, trial: [from, values_from], values, .. } =
+            &mut self.room;
+        go((from, -at, step), unknown);
+        let from = values_from.iter().zip(push).zip(system.rows);
+        for (value, ((from, push), row)) in values.iter_mut().zip(from) {
+            *value = *from + at * *push * measure(row);
         }
     }
 
     /// Energy that the step gains per length of it; below zero beyond the place
     /// where the energy is least [F L].
     pub(super) fn slope(&self) -> f64 {
-        self.push.iter().zip(&self.residual).map(|(push, f)| push * f).sum()
+        self.room.yielded.iter().zip(&self.room.residual).map(|(push, f)| push * f).sum()
     }
 }
 

@@ -5,6 +5,7 @@ use super::context::LawContext;
 use super::pivoting::pivoting;
 use super::points::{Kind, LinearPoints};
 use super::rows::{IntegrationPoints, Row};
+use super::step_room::StepRoom;
 use super::system::{System, eliminate_in_units, go};
 
 /// The most iterations of the condensed contact problem.
@@ -60,10 +61,11 @@ impl LinearisedContact {
 
     /// Semismooth Newton with backtracking; says whether it converged.
     fn newton(&mut self, points: &LinearPoints, context: &LawContext<'_>) -> bool {
-        self.make_room_for_newton();
-        let Self { residual, step, yielded, trial, values, jacobian, stiffness, .. } = self;
+        self.room.resize(self.rows.len(), self.integration_points.len());
+        let unknown = &mut self.unknown;
+        let StepRoom { residual, step, yielded, values, laws, jacobian, stiffness, factors, trial } =
+            &mut self.room;
         let [trial, trial_values] = trial;
-        let (unknown, laws) = (&mut self.unknown, &mut self.laws);
         let system = System {
             rows: &self.rows,
             compliance: &self.compliance,
@@ -79,7 +81,7 @@ impl LinearisedContact {
             let rounded = size <= ROUNDED * ROUNDED * largest;
             system.jacobian(points, laws, jacobian, stiffness);
             step.copy_from_slice(residual);
-            eliminate_in_units(&self.rows, jacobian, &mut self.factors, step);
+            eliminate_in_units(&self.rows, jacobian, factors, step);
             system.product(step, yielded);
             let mut length = 1.0;
             loop {
@@ -110,22 +112,10 @@ impl LinearisedContact {
             compliance: &self.compliance,
             integration_points: &self.integration_points,
         };
-        system.values(&self.unknown, &mut self.values);
-        let at = (&self.unknown[..], &self.values[..], points);
-        let size = system.residual(at, context, &mut self.residual, &mut self.laws);
-        size <= ROUNDED * ROUNDED * system.largest_multiplier(&self.unknown, &self.values)
-    }
-
-    fn make_room_for_newton(&mut self) {
-        let m = self.rows.len();
-        let [trial, trial_values] = &mut self.trial;
-        let vectors = [&mut self.residual, &mut self.step, &mut self.yielded, &mut self.values];
-        for vector in vectors.into_iter().chain([trial, trial_values]) {
-            vector.resize(m, 0.0);
-        }
-        self.jacobian.resize(m * m, 0.0);
-        self.stiffness.resize(if self.integration_points.is_empty() { 0 } else { m * m }, 0.0);
-        self.laws.make_room(m, self.integration_points.len());
+        system.values(&self.unknown, &mut self.room.values);
+        let at = (&self.unknown[..], &self.room.values[..], points);
+        let size = system.residual(at, context, &mut self.room.residual, &mut self.room.laws);
+        size <= ROUNDED * ROUNDED * system.largest_multiplier(&self.unknown, &self.room.values)
     }
 
     /// Finds the pressures of hard points for the present tractions by a

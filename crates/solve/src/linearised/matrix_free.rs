@@ -298,7 +298,7 @@ impl LinearisedContact {
                 [multiplier, work.values[i], row.kappa],
             );
         }
-        self.values.clone_from(&work.values);
+        self.room.values.clone_from(&work.values);
         self.give_integration_points(points, context);
     }
 }

@@ -185,10 +185,6 @@ impl IntegrationPoints {
         self.points.len()
     }
 
-    pub(super) fn is_empty(&self) -> bool {
-        self.points.is_empty()
-    }
-
     pub(super) fn iter(&self) -> impl Iterator<Item = IntegrationPoint<'_>> {
         let begins = std::iter::once(0).chain(self.points.iter().map(|&(_, end)| end));
         let each = begins.zip(&self.points);

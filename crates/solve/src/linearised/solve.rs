@@ -173,10 +173,10 @@ impl LinearisedContact {
             compliance: &self.compliance,
             integration_points: IntegrationPoints::NONE,
         };
-        self.values.clear();
+        self.room.values.clear();
         for (i, row) in self.rows.iter().enumerate() {
             let (multiplier, value) = system.multiplier_and_value(i, &self.unknown);
-            self.values.push(value);
+            self.room.values.push(value);
             if let Some((place, kind)) = row.point() {
                 let found = [multiplier, value, row.kappa];
                 give_multiplier(&mut points[place], context, kind, found);
