@@ -58,7 +58,9 @@ impl LinearisedContact {
         self.rows.reserve(rows);
         self.response.reserve(rows * equations);
         self.compliance.reserve(rows * rows);
-        [&mut self.unknown, &mut self.begun].into_iter().for_each(|vector| vector.reserve(rows));
+        [&mut self.unknown, &mut self.begun, &mut self.felt]
+            .into_iter()
+            .for_each(|vector| vector.reserve(rows));
         self.room.reserve(rows, points);
         self.descent.held.reserve(points, ROWS);
         self.in_rows.reserve(points);
