@@ -119,12 +119,7 @@ pub fn locate_points(
     (positions, kinematics): (&mut MasterPositions, &mut ContactKinematics),
 ) {
     contact.locate((&committed.displacement, Before::of(committed)), &[], positions, kinematics);
-    match before {
-        Some(before) => {
-            contact.stay_behind(before, (&committed.points, &committed.displacement), kinematics);
-        }
-        None => contact.stay_outside(&committed.displacement, kinematics),
-    }
+    contact.stay_behind(before, (&committed.points, &committed.displacement), kinematics);
     for (point, kinematics) in committed.points.iter_mut().zip(kinematics.points()) {
         (point.opening, point.allowed) = (-kinematics.overclosure, kinematics.allowed);
         point.along = kinematics.faces.then_some(kinematics.along);

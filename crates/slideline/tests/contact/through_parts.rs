@@ -64,16 +64,22 @@ fn last_row(name: &str, deck: &str) -> Vec<String> {
 }
 
 /// Requirement: nodes of the pin below the hub are not in its top, from behind through all of it: the pin presses as it
-/// does where the bore alone is the surface, and `ADJUST` leaves these nodes where they are.
+/// does where the bore alone is the surface, also where the pair is there from a second step on, and `ADJUST` leaves these
+/// nodes where they are.
 #[test]
 fn nodes_behind_a_part_are_not_in_it() {
-    let [top, bore] = [true, false].map(|has_top| {
-        let row = last_row(&format!("hub_{has_top}"), &pin_in_a_hub(has_top, ""));
-        row[4..].to_vec()
-    });
-    assert_eq!(top[0], "5");
+    let [top, bore] = [true, false].map(|has_top| pin_in_a_hub(has_top, ""));
+    let change = |how: &str| format!("*MODEL CHANGE, TYPE=CONTACT PAIR, {how}\nPIN, HUB\n");
+    let step = |how: &str| format!("*STEP, NLGEOM\n*STATIC\n1., 1.\n{}*END STEP\n", change(how));
+    let steps = top.find("*STEP").unwrap();
+    let later = format!("{}{}{}", &top[..steps], step("REMOVE"), step("ADD"));
+    let [top, bore, later] = [("top", top), ("bore", bore), ("later", later)]
+        .map(|(name, deck)| last_row(&format!("hub_{name}"), &deck)[4..].to_vec());
     let force = |row: &[String]| row[4].parse::<f64>().unwrap();
-    assert!(force(&bore).abs() > 1.0 && (force(&top) / force(&bore) - 1.0).abs() < 1e-4);
+    for row in [top, later] {
+        assert_eq!(row[0], "5");
+        assert!(force(&bore).abs() > 1.0 && (force(&row) / force(&bore) - 1.0).abs() < 1e-4);
+    }
     let read = Job::read_text("hub", &pin_in_a_hub(true, ", ADJUST=0.02"), &ReadOptions::default());
     let said = read.diagnostics.iter().find(|said| said.code.0 == "SL0417").unwrap();
     assert!(said.message.contains("moved 5 slave nodes"), "{}", said.message);

@@ -29,22 +29,6 @@ fn stands_behind(
 }
 
 impl Contact {
-    /// Turns nodes away that begin behind the part of their master and look past it ([`Contact::is_beyond`]).
-    ///
-    /// ```text
-    ///     --+------+ top        the node stands below the part, beyond the end of its bore, and
-    ///   bore| part |            faces its top from behind, through all of it
-    ///       +------+
-    ///          x
-    /// ```
-    pub fn stay_outside(&self, u: &[f64], kinematics: &mut ContactKinematics) {
-        for (place, point) in self.points.iter().enumerate() {
-            if self.is_beyond(point, &kinematics.points()[place], u) {
-                kinematics.at_mut(place).turn_away_in_place();
-            }
-        }
-    }
-
     /// Whether a node is on the other side of the part that it faces: further behind than that is thick, and none of its own
     /// faces looks at what it faces or along with it. One that is as deep and looks at it has sunk in through the part; where
     /// all look along with it, the master looks the wrong way. Both are said elsewhere.
@@ -161,21 +145,32 @@ impl Contact {
         }
     }
 
-    /// Turns slave nodes away that stood behind their master when the step before ended: to begin a
-    /// step takes them to no front. Pairs that were absent from that step meet anew.
+    /// Turns slave nodes away when a step begins: of pairs that are new in it those behind the part of their
+    /// master that look past it ([`Contact::is_beyond`]), of others those that stood behind when the step before
+    /// ended, for to begin a step takes them to no front.
+    ///
+    /// ```text
+    ///     --+------+ top        the node stands below the part, beyond the end of its bore, and
+    ///   bore| part |            faces its top from behind, through all of it
+    ///       +------+
+    ///          x
+    /// ```
     pub fn stay_behind(
         &self,
-        presence: &Presence,
+        presence: Option<&Presence>,
         (before, u): (&[PointState], &[f64]),
         kinematics: &mut ContactKinematics,
     ) {
         for (place, point) in self.points.iter().enumerate() {
             let now = kinematics.points()[place];
-            let own = (point, self.offsets[point.pair]);
-            if presence.has_pair(self.parent(point.pair))
-                && (stands_behind(own, &before[place], &now)
-                    || self.faces_through_a_part(place, &before[place], (&now, u)))
-            {
+            let was_there = presence.is_some_and(|own| own.has_pair(self.parent(point.pair)));
+            let stays = if was_there {
+                stands_behind((point, self.offsets[point.pair]), &before[place], &now)
+                    || self.faces_through_a_part(place, &before[place], (&now, u))
+            } else {
+                self.is_beyond(point, &now, u)
+            };
+            if stays {
                 kinematics.at_mut(place).turn_away_in_place();
             }
         }
