@@ -44,17 +44,23 @@ impl Rotation {
             bends: [0, 1, 2].map(|a| [0, 1, 2].map(|b| bend(a, b))),
         }
     }
+}
 
-    /// R itself.
-    pub fn matrix(&self) -> Matrix {
-        let mut whole = self.moved;
-        (0..3).for_each(|k| whole[k][k] += 1.0);
-        whole
-    }
+/// R - 1 of a rotation vector, without derivatives.
+pub(crate) fn moved_by(vector: Vector) -> Matrix {
+    let columns = UNIT.map(|axis| rotation::displacement(&vector, axis));
+    std::array::from_fn(|row| [0, 1, 2].map(|column: usize| columns[column][row]))
+}
+
+/// R of R - 1.
+pub(crate) fn whole(moved: &Matrix) -> Matrix {
+    let mut whole = *moved;
+    (0..3).for_each(|k| whole[k][k] += 1.0);
+    whole
 }
 
 /// The unit vectors.
-const UNIT: Matrix = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+pub(crate) const UNIT: Matrix = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// A matrix times a vector.
 pub fn times(matrix: &Matrix, vector: Vector) -> Vector {
@@ -91,9 +97,9 @@ impl Moments {
         }
     }
 
-    /// sum w (R b) x d, which is zero at the rotation that fits best [L2].
-    pub fn misfit(&self, rotation: &Rotation) -> Vector {
-        let [a, b] = [axial(&self.moved), axial(&product(&rotation.moved, &self.now))];
+    /// sum w (R b) x d of R - 1, which is zero at the rotation that fits best [L2].
+    fn misfit(&self, moved: &Matrix) -> Vector {
+        let [a, b] = [axial(&self.moved), axial(&product(moved, &self.now))];
         std::array::from_fn(|k| a[k] + b[k])
     }
 
@@ -102,9 +108,9 @@ impl Moments {
     pub fn fit(&self, near: Vector, in_space: bool) -> Option<Vector> {
         let mut found = if in_space { self.fit_in_space() } else { self.fit_in_plane() };
         for _ in 0..REFINED {
-            let at = Rotation::of(found);
-            let whole = product(&at.matrix(), &self.now);
-            let turn = turn_to_fit(&whole, self.misfit(&at), in_space);
+            let moved = moved_by(found);
+            let turned = product(&whole(&moved), &self.now);
+            let turn = turn_to_fit(&turned, self.misfit(&moved), in_space);
             found = composed(turn, found);
         }
         let found = nearest(found, near);
@@ -165,7 +171,7 @@ fn turn_to_fit(whole: &Matrix, misfit: Vector, in_space: bool) -> Vector {
 }
 
 /// The rotation vector of one turn after another.
-fn composed(turn: Vector, after: Vector) -> Vector {
+pub(crate) fn composed(turn: Vector, after: Vector) -> Vector {
     if turn == [0.0; 3] {
         return after;
     }
@@ -237,10 +243,10 @@ mod tests {
             let own = moments(7, vector, 0.3, in_space);
             let found = own.fit(vector, in_space).unwrap();
             let fits = |vector: Vector| {
-                let whole = product(&Rotation::of(vector).matrix(), &own.now);
+                let whole = product(&super::whole(&moved_by(vector)), &own.now);
                 whole[0][0] + whole[1][1] + whole[2][2]
             };
-            assert!(size(own.misfit(&Rotation::of(found))) < 1e-14);
+            assert!(size(own.misfit(&moved_by(found))) < 1e-14);
             for k in 0..3 {
                 for step in [-0.3, -1e-3, 1e-3, 0.3, 1.5] {
                     let mut beside = [0.0; 3];

@@ -22,6 +22,7 @@ pub mod differentiate;
 pub mod element;
 pub mod face_turn;
 pub mod first_order;
+pub mod frame_turn;
 pub mod kept_shape;
 pub mod material;
 pub mod orientation;

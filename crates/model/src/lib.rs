@@ -67,7 +67,7 @@ pub use initial_stress::{InitialHardening, InitialStress};
 pub use kept_shape::KeptShape;
 pub use left_out::{FacesByNodes, LeftOut};
 pub use load::{Distributed, Load, Pressed, Pressure};
-pub use mean_motion::{LinearMeanTurn, MeanMotion};
+pub use mean_motion::{Hung, LinearMeanTurn, MeanMotion};
 pub use model::Model;
 pub use node::{Dof, LinearConstraint, Node, NodeIndex, NodeSet, Nodes, RigidLink};
 pub use numbered::{Mixed, Numbered, NumberedSet};

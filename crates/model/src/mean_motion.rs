@@ -1,4 +1,4 @@
-//! Clouds of nodes whose mean motion another node follows.
+//! Clouds of nodes whose mean motion another node follows, and faces that nodes hang at.
 
 use crate::node::{Dof, NodeIndex};
 use slideline_diag::Span;
@@ -14,6 +14,9 @@ pub struct MeanMotion {
     pub coupled: [bool; 6],
     /// The nodes with their weights.
     pub cloud: Vec<(NodeIndex, f64)>,
+    /// What each of them has in the motion of a node that hangs at faces; of other clouds none, where the weights
+    /// say that.
+    pub hung: Vec<Hung>,
     /// The linear constraints that it is in small motion.
     pub constraints: Range<usize>,
     /// What follows the others in large motion.
@@ -22,6 +25,15 @@ pub struct MeanMotion {
     pub turning: Vec<(NodeIndex, Dof)>,
     /// Where it was said.
     pub origin: Span,
+}
+
+/// What a node of faces has in the motion of a node that hangs at them.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Hung {
+    /// Shares in the displacement along each axis of the model [1].
+    pub shares: [f64; 3],
+    /// Its displacement in a small turn, a row a direction of the turn [1/L].
+    pub turn: [[f64; 3]; 3],
 }
 
 /// A cloud of nodes whose mean turn a reference node follows linearly, however far it turns: of which it follows

@@ -142,7 +142,7 @@ fn first_state<'a>(
         Some(_) => {
             let message = format!("the saved state {states} is not one of this model");
             let said = Diagnostic::error(Code("SL0708"), message);
-            let help = match model.mean_motions.is_empty() {
+            let help = match model.mean_motions.iter().all(|own| !own.hung.is_empty()) {
                 true => "Run the previous job again.",
                 // other dofs follow then, some of them along axes that turn
                 false => {

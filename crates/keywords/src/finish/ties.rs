@@ -7,6 +7,7 @@
 //! ```
 
 mod arms;
+mod hanging;
 mod master;
 mod means;
 
@@ -15,7 +16,7 @@ use std::collections::{HashMap, HashSet, VecDeque};
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::element::solid::smallest_jacobian;
 use slideline_mech::pressure::{Face, Nearest};
-use slideline_model::{Dialect, Dof, Kinematics, NodeIndex, NumberedSet};
+use slideline_model::{Dialect, Dof, Kinematics, MeanMotion, NodeIndex, NumberedSet};
 
 use super::bodies::Bodies;
 use super::equations::add;
@@ -26,7 +27,8 @@ use crate::constraints::Tie;
 use crate::draft::Draft;
 use crate::rule::Subject;
 use crate::surfaces::{Extent, NamedSurface};
-use arms::{Arm, arms, join, judge_arms, open_circles};
+use arms::{Arm, Arms, arms, join, judge_arms, open_circles, turns_far};
+use hanging::{hanging, turn_far};
 use master::{Master, nearest};
 use means::{Means, Shares, means, misplaced};
 
@@ -48,7 +50,8 @@ pub(super) fn ties(draft: &mut Draft) {
         left = others;
         one((tie, &same), (&prescribed, &supports, &bodies), &mut done, draft);
     }
-    open_circles(&done.arms, draft);
+    let without = open_circles(&done.arms, draft);
+    turn_far(std::mem::take(&mut done.hanging), &without, draft);
     moved(&done.tied, draft);
 }
 
@@ -58,6 +61,8 @@ struct Done {
     /// A node that two ties name follows the first; where one moved, the tie that moved it.
     tied: HashMap<NodeIndex, Option<Span>>,
     arms: Vec<Arm>,
+    /// Motions of nodes that hang at faces which may turn far.
+    hanging: Vec<MeanMotion>,
 }
 
 /// Whether faces of one slave surface are tied to two masters in the same way: those that lie upon both
@@ -153,7 +158,7 @@ fn one(
         done.tied.insert(own.node, tie.adjust.then_some(tie.origin));
         if !bodies.hold(own.node, &nearest_shares(own, &masters), draft) {
             let sides = (&masters[..], &means);
-            let gap = follow(tie, own, sides, (prescribed, supports), &mut done.arms, draft);
+            let gap = follow(tie, own, sides, (prescribed, supports), done, draft);
             widest = widest.max(gap);
         }
     }
@@ -286,30 +291,69 @@ fn adjust(near: &[TiedNode], means: &Means, draft: &mut Draft) {
     places.into_iter().for_each(|(node, place)| draft.model.nodes.place(node, place));
 }
 
-/// Makes the displacements of a node follow a mean or the nearest face. A dof that is prescribed on
-/// both sides of the tie is left to its support; but where both sides are held alike in some of the
-/// steps only, it follows in all of them. How long its arm is in sizes of the face [1].
+/// What a dof of a slave node follows.
+struct Row {
+    dof: Dof,
+    terms: Vec<(NodeIndex, Dof, f64)>,
+    /// The same without its arm, where it has one.
+    without: Option<Vec<(NodeIndex, Dof, f64)>>,
+}
+
+/// Makes the displacements of a node follow a mean or the nearest face. How long its arm is in sizes of the
+/// face [1].
 fn follow(
     tie: &Tie,
     own: &TiedNode,
     (masters, means): (&[Master], &Means),
     (prescribed, supports): (&NumberedSet<(NodeIndex, Dof)>, &Supports),
-    known: &mut Vec<Arm>,
+    done: &mut Done,
     draft: &mut Draft,
 ) -> f64 {
     let node = own.node;
-    let directions = draft.model.directions();
     let nearest = nearest_shares(own, masters);
-    let rows = means.each_ref().map(|means| means.get(&node).unwrap_or(&nearest));
+    let shares = means.each_ref().map(|means| means.get(&node).unwrap_or(&nearest));
+    let arms = arms((node, own.near.distance), shares, (masters, own.master), draft);
+    let is_far = !arms.are_none() && turns_far(draft);
+    let mut rows = rows((node, shares), (&arms, is_far), (prescribed, supports), draft);
+    if is_far {
+        // one after the other
+        rows.sort_by_key(|row| row.without.is_some());
+    }
+    let mut hung: Vec<Dof> = Vec::new();
+    for Row { dof, terms, without } in rows {
+        if let Some(without) = without {
+            hung.push(dof);
+            let constraint = draft.model.linear_constraints.len();
+            done.arms.push(Arm { constraint, dependent: (node, dof), without });
+        }
+        add(draft, (node, dof), terms, tie.origin);
+    }
+    let part = if hung.is_empty() { 0.0 } else { arms.part };
+    if is_far && !hung.is_empty() {
+        done.hanging.push(hanging((node, &hung), shares, arms, (tie.origin, draft)));
+    }
+    part
+}
+
+/// What the displacements of a node follow. A dof that is prescribed on both sides of the tie is left to its
+/// support; but where both sides are held alike in some of the steps only, it follows in all of them. `is_far`:
+/// all that is not held has an arm, be it of no effect in small turns.
+fn rows(
+    (node, shares): (NodeIndex, [&Shares; 3]),
+    (arms, is_far): (&Arms, bool),
+    (prescribed, supports): (&NumberedSet<(NodeIndex, Dof)>, &Supports),
+    draft: &mut Draft,
+) -> Vec<Row> {
+    let directions = draft.model.directions();
     let axis = |dof: Dof| directions.iter().position(|own| *own == dof).unwrap_or_default();
-    let arms = arms((node, own.near.distance), rows, (masters, own.master), draft);
-    let mut hangs = false;
     let terms = |dof: Dof| -> Vec<_> {
-        let shares = rows[axis(dof)].iter().filter(|(_, share)| share.abs() > 1e-12);
+        let shares = shares[axis(dof)].iter().filter(|(_, share)| share.abs() > 1e-12);
         shares.map(|&(own, share)| (own, dof, share)).collect()
     };
+    let mut rows = Vec::new();
     for &dof in directions.iter().filter(|dof| !dof.is_rotation()) {
         let mut terms = draft.followed((node, dof), terms);
+        let mut without = None;
         let held = |&(own, dof, _): &(NodeIndex, Dof, f64)| prescribed.contains(&(own, dof));
         if prescribed.contains(&(node, dof)) && terms.iter().all(held) {
             let is_implied = supports.is_implied((node, dof), &terms);
@@ -326,14 +370,12 @@ fn follow(
             draft.implied.insert((node, dof));
         } else {
             let arm = draft.followed((node, dof), |dof| arms.terms[axis(dof)].clone());
-            if !arm.is_empty() {
-                hangs = true;
-                let constraint = draft.model.linear_constraints.len();
-                known.push(Arm { constraint, dependent: (node, dof), without: terms.clone() });
+            if is_far || !arm.is_empty() {
+                without = Some(terms.clone());
                 join(&mut terms, arm);
             }
         }
-        add(draft, (node, dof), terms, tie.origin);
+        rows.push(Row { dof, terms, without });
     }
-    if hangs { arms.part } else { 0.0 }
+    rows
 }

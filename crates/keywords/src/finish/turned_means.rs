@@ -11,6 +11,7 @@
 //!
 //! docs/theory.md section 4.2.
 
+use slideline_diag::Span;
 use slideline_model::{Dof, LinearConstraint, LinearMeanTurn, MeanMotion, NodeIndex};
 use std::collections::HashSet;
 use std::ops::Range;
@@ -25,7 +26,8 @@ pub(super) fn turn_far(draft: &mut Draft) {
     let prescribed = super::steps::prescribed(draft);
     let carrying: HashSet<NodeIndex> =
         draft.model.rigid_links.iter().map(|link| link.master).collect();
-    let mut chosen: Vec<(Range<usize>, Vec<LinearConstraint>)> = Vec::new();
+    let hanging = draft.model.mean_motions.iter();
+    let mut chosen: Vec<Large> = hanging.map(|own| in_large_motion(own, draft)).collect();
     for own in std::mem::take(&mut draft.means) {
         let follows = own.pivots.iter().map(|&pivot| own.names[pivot]).collect::<HashSet<_>>();
         let is_taken = |name: &(NodeIndex, Dof)| {
@@ -55,11 +57,30 @@ pub(super) fn turn_far(draft: &mut Draft) {
     }
 }
 
-/// The constraints with others in place of some.
-fn replaced(
-    constraints: &[LinearConstraint],
-    by: &[(Range<usize>, Vec<LinearConstraint>)],
+/// Constraints of small motion, and what stands for them in large motion.
+pub(super) type Large = (Range<usize>, Vec<LinearConstraint>);
+
+/// What follows what where a node hangs at faces, with coefficients of none.
+pub(super) fn in_large_motion(own: &MeanMotion, draft: &Draft) -> Large {
+    let axes = draft.model.directions().iter().filter(|dof| !dof.is_rotation());
+    let names = own.cloud.iter().flat_map(|&(node, _)| axes.clone().map(move |&dof| (node, dof)));
+    (own.constraints.clone(), following(&own.dependents, names, own.origin))
+}
+
+/// Dofs that follow others, with coefficients of none.
+fn following(
+    dependents: &[(NodeIndex, Dof)],
+    followed: impl Iterator<Item = (NodeIndex, Dof)>,
+    origin: Span,
 ) -> Vec<LinearConstraint> {
+    let terms: Vec<_> = followed.map(|(node, dof)| (node, dof, 1.0)).collect();
+    let follows =
+        |&dependent| LinearConstraint { dependent, terms: terms.clone(), constant: 0.0, origin };
+    dependents.iter().map(follows).collect()
+}
+
+/// The constraints with others in place of some.
+pub(super) fn replaced(constraints: &[LinearConstraint], by: &[Large]) -> Vec<LinearConstraint> {
     let stay = constraints.iter().enumerate();
     let stay = stay.filter(|(place, _)| !by.iter().any(|(range, _)| range.contains(place)));
     stay.map(|(_, own)| own).chain(by.iter().flat_map(|own| &own.1)).cloned().collect()
@@ -69,15 +90,7 @@ impl OpenMean {
     /// What follows what, with coefficients of none.
     fn in_large_motion(&self, dependents: &[(NodeIndex, Dof)]) -> Vec<LinearConstraint> {
         let followed = self.names.iter().filter(|name| !dependents.contains(name));
-        let terms: Vec<_> = followed.map(|&(node, dof)| (node, dof, 1.0)).collect();
-        let origin = self.linear.origin;
-        let follows = |&dependent| LinearConstraint {
-            dependent,
-            terms: terms.clone(),
-            constant: 0.0,
-            origin,
-        };
-        dependents.iter().map(follows).collect()
+        following(dependents, followed.copied(), self.linear.origin)
     }
 
     fn motion(self, dependents: Names, turning: Names) -> MeanMotion {
@@ -85,7 +98,16 @@ impl OpenMean {
         self.names[..self.own].iter().for_each(|(_, dof)| coupled[*dof as usize] = true);
         let Self { cloud, constraints, linear, .. } = self;
         let LinearMeanTurn { reference, origin, .. } = linear;
-        MeanMotion { reference, coupled, cloud, constraints, dependents, turning, origin }
+        MeanMotion {
+            reference,
+            coupled,
+            cloud,
+            hung: Vec::new(),
+            constraints,
+            dependents,
+            turning,
+            origin,
+        }
     }
 }
 

@@ -2,16 +2,17 @@
 //!
 //! ```text
 //!   shift    e . (u_ref - sum w u - (R L - L))
-//!   fit      e . sum w (R r) x (x - x_c)
+//!   fit      e . sum B R' (x - x_c)     B u = w r x u, or what the turn of a face is
 //!   turning  s - (R p) . u
 //! ```
 //!
 //! Bilinear in the rotation matrix and the displacements; docs/theory.md section 4.2.
 
 use super::cloud::CloudNumbers;
-use slideline_mech::best_fit::{Moments, Rotation, axial, product, times};
+use slideline_mech::best_fit::{Matrix, Moments, Rotation, times};
+use slideline_mech::frame_turn::FrameTurn;
 use slideline_mech::turn::Turn;
-use slideline_mech::vector::{Vector, add, cross, dot, scale, sub};
+use slideline_mech::vector::{Vector, add, dot, scale, sub};
 
 /// Dofs of a node, along its own axes where it has some.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,15 +62,16 @@ pub(super) struct At<'a> {
     of: CloudNumbers<'a>,
     members: &'a [Member],
     start: Turn,
-    /// Displacements of the cloud, and their mean [L].
+    /// Displacements of the cloud, and what the reference node has of them [L].
     moved: Vec<Vector>,
     mean: Vector,
-    /// Arms of the cloud where the turn counts from [L].
-    arms: Vec<Vector>,
+    /// What nodes of the cloud make of a turn, where this counts from [L].
+    turns: Vec<Matrix>,
     moments: Moments,
+    frame: FrameTurn,
     rotation: Rotation,
-    /// Its arms as they are turned [L].
-    turned: Vec<Vector>,
+    /// The same as they are turned [L].
+    turned: Vec<Matrix>,
 }
 
 /// What multipliers make of the equations.
@@ -95,30 +97,39 @@ impl<'a> At<'a> {
         };
         let moved: Vec<Vector> = members[..cloud.arms.len()].iter().map(displaced).collect();
         let weighted = cloud.weights.iter().zip(&moved);
-        let mean = weighted.fold([0.0; 3], |sum, (&w, &own)| add(sum, scale(own, w)));
-        let mut moments = Moments::default();
-        let mut arms = Vec::with_capacity(moved.len());
-        for ((&weight, &arm), &own) in cloud.weights.iter().zip(&cloud.arms).zip(&moved) {
-            let (arm, before) = start.arm(arm);
-            moments.add(weight, arm, sub(sub(own, mean), before));
-            arms.push(arm);
+        let centre = weighted.fold([0.0; 3], |sum, (&w, &own)| add(sum, scale(own, w)));
+        let shared = cloud.shares.iter().zip(&moved);
+        let mean = shared.fold([0.0; 3], |sum, (share, own)| {
+            std::array::from_fn(|k| sum[k] + share[k] * own[k])
+        });
+        let (mut moments, mut frame) = (Moments::default(), FrameTurn::default());
+        let turns = cloud.turns.iter().map(|turns| turns.map(|row| start.arm(row).0));
+        let turns: Vec<Matrix> = turns.collect();
+        for (k, &own) in moved.iter().enumerate() {
+            let (arm, before) = start.arm(cloud.arms[k]);
+            let moved = sub(sub(own, centre), before);
+            moments.add(cloud.weights[k], arm, moved);
+            frame.add(&turns[k], arm, moved);
         }
         let rotation = Rotation::of([0.0; 3]);
-        let turned = arms.clone();
-        Self { of, members, start, moved, mean, arms, moments, rotation, turned }
+        let turned = turns.clone();
+        Self { of, members, start, moved, mean, turns, moments, frame, rotation, turned }
     }
 
     /// Turns the reference node to these rotations.
     pub fn turn(&mut self, angles: Vector) {
         self.rotation = Rotation::of(self.start.vector(angles));
-        for (turned, &arm) in self.turned.iter_mut().zip(&self.arms) {
-            *turned = add(arm, times(&self.rotation.moved, arm));
+        for (turned, rows) in self.turned.iter_mut().zip(&self.turns) {
+            *turned = rows.map(|row| add(row, times(&self.rotation.moved, row)));
         }
     }
 
     /// Turns it as the cloud has turned; these rotations, the nearest to some.
     pub fn fit(&mut self, near: Vector, in_space: bool) -> Option<Vector> {
-        let found = self.moments.fit(self.start.vector(near), in_space);
+        let mut found = self.moments.fit(self.start.vector(near), in_space);
+        if self.of.cloud.is_of_faces {
+            found = found.and_then(|vector| self.frame.refined(vector, in_space));
+        }
         let angles = found.map(|vector| add(vector, self.start.start));
         self.turn(angles.unwrap_or([f64::NAN; 3]));
         angles
@@ -151,11 +162,12 @@ impl<'a> At<'a> {
     pub fn value(&self, equation: Equation, own: f64) -> f64 {
         let value = match equation {
             Equation::Shift(axis) => {
-                let (arm, before) = self.start.arm(self.of.cloud.lever);
-                let turned = add(times(&self.rotation.moved, arm), before);
-                own - dot(self.axis_of_reference(axis), add(self.mean, turned))
+                let levers = self.of.cloud.levers.map(|lever| self.start.arm(lever));
+                let turned = self.levers_by(&self.rotation.moved);
+                let turned = std::array::from_fn(|k| self.mean[k] + turned[k] + levers[k].1[k]);
+                own - dot(self.axis_of_reference(axis), turned)
             }
-            Equation::Fit(axis) => self.moments.misfit(&self.rotation)[axis],
+            Equation::Fit(axis) => self.frame.value(&self.rotation.moved)[axis],
             Equation::Turning(_, member, axis) => {
                 let along = self.axis_at_start(member, axis);
                 let along = add(along, times(&self.rotation.moved, along));
@@ -181,11 +193,20 @@ impl<'a> At<'a> {
         value * self.row_scale(equation) * self.of.cloud.size
     }
 
+    /// What a matrix makes of the levers, the part of each along its axis [L].
+    fn levers_by(&self, matrix: &Matrix) -> Vector {
+        let along = |k: usize| dot(matrix[k], self.start.arm(self.of.cloud.levers[k]).0);
+        [0, 1, 2].map(along)
+    }
+
     fn slope_by_place(&self, equation: Equation, (member, axis): (usize, usize)) -> f64 {
-        let (along, weight) = (self.axis(member, axis), self.of.cloud.weights[member]);
+        let (along, shares) = (self.axis(member, axis), self.of.cloud.shares[member]);
         match equation {
-            Equation::Shift(axis) => -weight * dot(self.axis_of_reference(axis), along),
-            Equation::Fit(axis) => weight * cross(self.turned[member], along)[axis],
+            Equation::Shift(axis) => {
+                let shared = std::array::from_fn(|k| shares[k] * along[k]);
+                -dot(self.axis_of_reference(axis), shared)
+            }
+            Equation::Fit(axis) => dot(self.turned[member][axis], along),
             Equation::Turning(_, own, _) if own != member => 0.0,
             Equation::Turning(_, own, axis) => {
                 let turning = self.axis_at_start(own, axis);
@@ -199,11 +220,8 @@ impl<'a> At<'a> {
         let by = |k: usize| {
             let slope = &self.rotation.slopes[k];
             match equation {
-                Equation::Shift(axis) => {
-                    let (arm, _) = self.start.arm(self.of.cloud.lever);
-                    -dot(self.axis_of_reference(axis), times(slope, arm))
-                }
-                Equation::Fit(axis) => axial(&product(slope, &self.moments.now))[axis],
+                Equation::Shift(axis) => -dot(self.axis_of_reference(axis), self.levers_by(slope)),
+                Equation::Fit(axis) => self.frame.change(slope)[axis],
                 Equation::Turning(_, member, axis) => {
                     -dot(times(slope, self.axis_at_start(member, axis)), self.moved[member])
                 }
@@ -232,21 +250,21 @@ impl<'a> At<'a> {
     /// Second derivative by a part of the rotation vector and the displacement of a node.
     pub fn bend(&self, pull: &Pull, about: usize, (member, axis): (usize, usize)) -> f64 {
         let (slope, along) = (&self.rotation.slopes[about], self.axis(member, axis));
-        let turned = scale(times(slope, self.arms[member]), self.of.cloud.weights[member]);
+        let fit = pull.fit.iter().zip(&self.turns[member]);
+        let fit: f64 = fit.map(|(force, row)| force * dot(times(slope, *row), along)).sum();
         let own = pull.turning.iter().filter(|(node, ..)| *node == member);
         let of_axes = own.map(|&(_, axis, force)| force * dot(times(slope, axis), along));
-        dot(pull.fit, cross(turned, along)) - of_axes.sum::<f64>()
+        fit - of_axes.sum::<f64>()
     }
 
     /// Second derivative by two parts of the rotation vector.
     pub fn bend_of_turn(&self, pull: &Pull, [one, other]: [usize; 2]) -> f64 {
         let bend = &self.rotation.bends[one][other];
-        let (arm, _) = self.start.arm(self.of.cloud.lever);
         let of_axes = pull.turning.iter();
         let of_axes =
             of_axes.map(|&(node, axis, force)| force * dot(times(bend, axis), self.moved[node]));
-        dot(pull.fit, axial(&product(bend, &self.moments.now)))
-            - dot(pull.shift, times(bend, arm))
+        dot(pull.fit, self.frame.change(bend))
+            - dot(pull.shift, self.levers_by(bend))
             - of_axes.sum::<f64>()
     }
 }

@@ -27,13 +27,15 @@ const NOTHING: f64 = 1e-12;
 type Term = (NodeIndex, Dof, f64);
 
 /// What the displacements of a node make of a turn: a matrix [1/L].
-type NodeTurn = (NodeIndex, [[f64; 3]; 3]);
+pub(super) type NodeTurn = (NodeIndex, [[f64; 3]; 3]);
 
 /// What arms add to what the displacements of a slave node follow.
 #[derive(Default)]
 pub(super) struct Arms {
-    /// Along the axes of the model.
+    /// Along the axes of the model, for small turns.
     pub terms: [Vec<Term>; 3],
+    /// The turn that they follow, by nodes of the faces.
+    pub turns: Vec<NodeTurn>,
     /// Distance from the face in sizes of it [1].
     pub part: f64,
 }
@@ -79,7 +81,15 @@ pub(super) fn arms(
         });
         all.filter(|(.., factor)| factor.abs() > NOTHING * long[axis] / size).collect()
     };
-    Arms { terms: std::array::from_fn(terms), part: if size > 0.0 { distance / size } else { 0.0 } }
+    let part = if size > 0.0 { distance / size } else { 0.0 };
+    Arms { terms: std::array::from_fn(terms), turns, part }
+}
+
+impl Arms {
+    /// Whether there are none.
+    pub fn are_none(&self) -> bool {
+        self.terms.iter().all(Vec::is_empty)
+    }
 }
 
 /// What the nodes of the faces nearest to a point make of the turn there, and the size of the largest of these
@@ -112,8 +122,8 @@ fn turns(masters: &[Master], point: [f64; 3]) -> (Vec<NodeTurn>, f64) {
 }
 
 /// Leaves out the arms of nodes that follow themselves by way of them: each of a circle, whichever tie comes
-/// first.
-pub(super) fn open_circles(arms: &[Arm], draft: &mut Draft) {
+/// first. These nodes.
+pub(super) fn open_circles(arms: &[Arm], draft: &mut Draft) -> BTreeSet<NodeIndex> {
     let constraints = &mut draft.model.linear_constraints;
     let is_there = |own: &&Arm| {
         constraints.get(own.constraint).is_some_and(|row| row.dependent == own.dependent)
@@ -122,7 +132,7 @@ pub(super) fn open_circles(arms: &[Arm], draft: &mut Draft) {
     let circular = if arms.is_empty() { HashSet::new() } else { in_circles(constraints) };
     let closing = arms.iter().filter(|own| circular.contains(&own.constraint));
     let nodes: BTreeSet<NodeIndex> = closing.map(|own| own.dependent.0).collect();
-    let Some(&first) = nodes.first() else { return };
+    let Some(&first) = nodes.first() else { return nodes };
     let mut origin = None;
     for own in arms.into_iter().filter(|own| nodes.contains(&own.dependent.0)) {
         let row = &mut constraints[own.constraint];
@@ -138,6 +148,7 @@ pub(super) fn open_circles(arms: &[Arm], draft: &mut Draft) {
     let said = Diagnostic::advice(Code("SL0430"), message).at(origin);
     let help = "make one side the slave of the other in all ties, or leave out ADJUST=NO";
     draft.log.push(said.help(help));
+    nodes
 }
 
 /// Adds terms to others of the same dofs.
@@ -150,20 +161,25 @@ pub(super) fn join(terms: &mut Vec<Term>, more: Vec<Term>) {
     }
 }
 
-/// Advises where nodes hang at faces by long arms and may turn far: arms follow small turns. `widest` is the
-/// longest arm in sizes of its face [1].
+/// Whether all steps have large motion: one of small motion beside wants arms that are linear.
+pub(super) fn turns_far(draft: &Draft) -> bool {
+    !draft.steps.is_empty() && draft.steps.iter().all(|step| step.nlgeom)
+}
+
+/// Advises where nodes hang at faces by long arms in steps of both kinds: arms follow small turns then. `widest`
+/// is the longest arm in sizes of its face [1].
 pub(super) fn judge_arms(tie: &Tie, widest: f64, draft: &mut Draft) {
-    let turns_far = draft.steps.iter().any(|step| step.nlgeom);
-    if tie.adjust || !turns_far || widest <= TOLERANCE {
+    let has_large = draft.steps.iter().any(|step| step.nlgeom);
+    if tie.adjust || !has_large || turns_far(draft) || widest <= TOLERANCE {
         return;
     }
     let (slave, master) = (&tie.slave.name, &tie.master.name);
     let message = format!(
-        "{slave} is tied to {master} across a gap of up to {:.0} % of a face: what bridges it follows small \
-         turns only, and the steps have large ones",
+        "{slave} is tied to {master} across a gap of up to {:.0} % of a face: some steps have NLGEOM and \
+         others not, so that what bridges it follows small turns only",
         100.0 * widest
     );
-    let help = "leave out ADJUST=NO, so that the nodes are moved onto the master, or mesh what fills the gap; with \
+    let help = "give all steps NLGEOM, or leave out ADJUST=NO, so that the nodes are moved onto the master; with \
                 turns of less than some degrees the answer holds";
     draft.log.push(Diagnostic::advice(Code("SL0430"), message).at(tie.origin).help(help));
 }
