@@ -142,14 +142,10 @@ fn first_state<'a>(
         Some(_) => {
             let message = format!("the saved state {states} is not one of this model");
             let said = Diagnostic::error(Code("SL0708"), message);
-            let help = match model.mean_motions.iter().all(|own| !own.hung.is_empty()) {
-                true => "Run the previous job again.",
-                // other dofs follow then, some of them along axes that turn
-                false => {
-                    "A deck that prescribes dofs of the reference node of *DISTRIBUTING which the previous job left \
-                     free must be one with it, where steps have NLGEOM; else run the previous job again."
-                }
-            };
+            // other dofs follow then, some of them along axes that turn
+            let help = "Run the previous job again. A deck must be one with it where that job has NLGEOM and the \
+                        deck prescribes dofs of the reference node of *DISTRIBUTING that were free, or adds steps \
+                        without NLGEOM to a *TIE across a gap or a *DISTRIBUTING.";
             Err(Box::new(said.help(help)))
         }
         None => {

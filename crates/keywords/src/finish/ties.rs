@@ -27,7 +27,7 @@ use crate::constraints::Tie;
 use crate::draft::Draft;
 use crate::rule::Subject;
 use crate::surfaces::{Extent, NamedSurface};
-use arms::{Arm, Arms, arms, join, judge_arms, open_circles, turns_far};
+use arms::{Arm, Arms, NOTHING, arms, join, judge_arms, open_circles, turns_far};
 use hanging::{hanging, turn_far};
 use master::{Master, nearest};
 use means::{Means, Shares, means, misplaced};
@@ -297,6 +297,8 @@ struct Row {
     terms: Vec<(NodeIndex, Dof, f64)>,
     /// The same without its arm, where it has one.
     without: Option<Vec<(NodeIndex, Dof, f64)>>,
+    /// Whether it has one in large motion, be it of no effect in small turns.
+    hangs: bool,
 }
 
 /// Makes the displacements of a node follow a mean or the nearest face. How long its arm is in sizes of the
@@ -317,12 +319,14 @@ fn follow(
     let mut rows = rows((node, shares), (&arms, is_far), (prescribed, supports), draft);
     if is_far {
         // one after the other
-        rows.sort_by_key(|row| row.without.is_some());
+        rows.sort_by_key(|row| row.hangs);
     }
     let mut hung: Vec<Dof> = Vec::new();
-    for Row { dof, terms, without } in rows {
-        if let Some(without) = without {
+    for Row { dof, terms, without, hangs } in rows {
+        if hangs {
             hung.push(dof);
+        }
+        if let Some(without) = without {
             let constraint = draft.model.linear_constraints.len();
             done.arms.push(Arm { constraint, dependent: (node, dof), without });
         }
@@ -347,13 +351,13 @@ fn rows(
     let directions = draft.model.directions();
     let axis = |dof: Dof| directions.iter().position(|own| *own == dof).unwrap_or_default();
     let terms = |dof: Dof| -> Vec<_> {
-        let shares = shares[axis(dof)].iter().filter(|(_, share)| share.abs() > 1e-12);
+        let shares = shares[axis(dof)].iter().filter(|(_, share)| share.abs() > NOTHING);
         shares.map(|&(own, share)| (own, dof, share)).collect()
     };
     let mut rows = Vec::new();
     for &dof in directions.iter().filter(|dof| !dof.is_rotation()) {
         let mut terms = draft.followed((node, dof), terms);
-        let mut without = None;
+        let (mut without, mut hangs) = (None, false);
         let held = |&(own, dof, _): &(NodeIndex, Dof, f64)| prescribed.contains(&(own, dof));
         if prescribed.contains(&(node, dof)) && terms.iter().all(held) {
             let is_implied = supports.is_implied((node, dof), &terms);
@@ -370,12 +374,13 @@ fn rows(
             draft.implied.insert((node, dof));
         } else {
             let arm = draft.followed((node, dof), |dof| arms.terms[axis(dof)].clone());
-            if is_far || !arm.is_empty() {
+            hangs = is_far || !arm.is_empty();
+            if !arm.is_empty() {
                 without = Some(terms.clone());
                 join(&mut terms, arm);
             }
         }
-        rows.push(Row { dof, terms, without });
+        rows.push(Row { dof, terms, without, hangs });
     }
     rows
 }

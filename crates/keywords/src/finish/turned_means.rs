@@ -23,6 +23,9 @@ use crate::draft::Draft;
 /// Chooses what follows what where clouds turn far, once all other constraints are known. A cloud that these
 /// leave no choice stays linear.
 pub(super) fn turn_far(draft: &mut Draft) {
+    if draft.means.is_empty() {
+        return;
+    }
     let prescribed = super::steps::prescribed(draft);
     let carrying: HashSet<NodeIndex> =
         draft.model.rigid_links.iter().map(|link| link.master).collect();
@@ -81,8 +84,8 @@ fn following(
 
 /// The constraints with others in place of some.
 pub(super) fn replaced(constraints: &[LinearConstraint], by: &[Large]) -> Vec<LinearConstraint> {
-    let stay = constraints.iter().enumerate();
-    let stay = stay.filter(|(place, _)| !by.iter().any(|(range, _)| range.contains(place)));
+    let replaced: HashSet<usize> = by.iter().flat_map(|own| own.0.clone()).collect();
+    let stay = constraints.iter().enumerate().filter(|(place, _)| !replaced.contains(place));
     stay.map(|(_, own)| own).chain(by.iter().flat_map(|own| &own.1)).cloned().collect()
 }
 

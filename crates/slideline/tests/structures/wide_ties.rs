@@ -134,7 +134,7 @@ fn a_master_that_turns_far_takes_the_slave_along() {
     }
 }
 
-/// Requirement: the same in the plane, above an edge between faces and with a load that turns nothing.
+/// Requirement: the same in the plane, above an edge between faces.
 #[test]
 fn in_the_plane_too() {
     for kind in KINDS {

@@ -151,15 +151,16 @@ fn keep_shapes(model: &Model, dofs: &DofMap, open: &mut [LinearConstraint]) {
 /// Puts what clouds are that turn far in place of the constraints that they are in small motion.
 fn keep_means(model: &Model, dofs: &DofMap, open: &mut Vec<LinearConstraint>) {
     let mut turning = dofs.turning_dofs();
+    let replaced: HashSet<usize> =
+        model.mean_motions.iter().flat_map(|own| own.constraints.clone()).collect();
+    open.retain(|own| match own.source {
+        Source::Said(index) => !replaced.contains(&index),
+        Source::Axes { .. } | Source::Equal => true,
+    });
     for (place, mean) in model.mean_motions.iter().enumerate() {
         let (named, slots) = (mean.dependents.iter(), turning.by_ref().take(mean.turning.len()));
         let dependents = named.filter_map(|&(node, dof)| dofs.named(node, dof)).collect();
         let row = MeanRow::new((model, place), dofs, (dependents, slots.collect()));
-        let replaced = |own: &LinearConstraint| match own.source {
-            Source::Said(index) => mean.constraints.contains(&index),
-            Source::Axes { .. } | Source::Equal => false,
-        };
-        open.retain(|own| !replaced(own));
         let terms: Vec<(usize, usize)> = row.followed().map(|dof| (dof, 0)).collect();
         let dependents: Vec<usize> = row.dependents().collect();
         let mut row = Some(Box::new(row));

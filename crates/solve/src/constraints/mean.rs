@@ -159,8 +159,9 @@ impl MeanRow {
     pub fn enforce(&self, of: CloudNumbers<'_>, turns: &[Turn], u: &mut [f64]) {
         self.fit_angles(of, turns, u);
         let mut before = f64::INFINITY;
+        let mut at = self.at(of, (u, turns));
         for _ in 0..MOST {
-            let step = self.correction(&self.at(of, (u, turns)), u);
+            let step = self.correction(&at, u);
             let largest = step.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
             if largest.is_nan() {
                 break;
@@ -174,10 +175,18 @@ impl MeanRow {
                 return;
             }
             before = largest;
+            if self.moves_cloud() || self.node.is_some() {
+                at = self.at(of, (u, turns));
+            }
         }
         if before.is_nan() || before >= KEPT {
             self.dependents().for_each(|dof| u[dof] = f64::NAN);
         }
+    }
+
+    /// Whether nodes of the cloud follow.
+    fn moves_cloud(&self) -> bool {
+        self.follows.iter().any(|own| matches!(self.parts[*own].what, What::Place(..)))
     }
 
     /// Where the turn follows, it is that of the cloud as it stands.

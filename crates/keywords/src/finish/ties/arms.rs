@@ -21,7 +21,7 @@ use crate::constraints::Tie;
 use crate::draft::Draft;
 
 /// Part of an arm below which a factor is rounding [1].
-const NOTHING: f64 = 1e-12;
+pub(super) const NOTHING: f64 = 1e-12;
 
 /// A term of a row: a dof that is followed, and how much.
 type Term = (NodeIndex, Dof, f64);

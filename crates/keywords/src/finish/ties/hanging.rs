@@ -17,7 +17,7 @@ use slideline_model::{Dof, Hung, LinearConstraint, MeanMotion, NodeIndex};
 
 use super::super::equations::in_circles;
 use super::super::turned_means::{in_large_motion, replaced};
-use super::arms::Arms;
+use super::arms::{Arms, NOTHING};
 use super::means::Shares;
 use crate::draft::Draft;
 
@@ -33,8 +33,9 @@ pub(super) fn hanging(
     for (own, turn) in arms.turns {
         nodes.push((own, 1.0, Hung { turn, ..Hung::default() }));
     }
-    for (axis, row) in rows.into_iter().enumerate() {
-        for &(own, share) in row.iter().filter(|(_, share)| *share != 0.0) {
+    let axes = draft.model.directions().iter().filter(|dof| !dof.is_rotation()).count();
+    for (axis, row) in rows.into_iter().enumerate().take(axes) {
+        for &(own, share) in row.iter().filter(|(_, share)| share.abs() > NOTHING) {
             let known = nodes.iter().position(|known| known.0 == own);
             let place = known.unwrap_or(nodes.len());
             if known.is_none() {
