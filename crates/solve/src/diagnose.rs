@@ -60,10 +60,11 @@ pub fn may_be_a_jam(said: &Diagnostic) -> bool {
 }
 
 /// Whether an attempt that ended for this cause may have another equilibrium:
-/// nothing, a snap-through, contact that wavers, an element that collapses or too
-/// long an increment was proved.
+/// nothing, a jam that parts which give way may leave with a jump, a snap-through,
+/// contact that wavers, an element that collapses or too long an increment was proved.
 pub fn may_end_elsewhere(said: &Diagnostic) -> bool {
-    ["SL0501", "SL0511", "SL0512", "SL0513", "SL0515", "SL0522"].contains(&said.code.0)
+    let codes = ["SL0501", "SL0506", "SL0511", "SL0512", "SL0513", "SL0515", "SL0522"];
+    codes.contains(&said.code.0)
 }
 
 /// A jam at points that the first iteration of an attempt showed locked.

@@ -44,6 +44,7 @@ mod self_contact;
 mod self_contact_in_space;
 mod sharp_edges;
 mod sides_within;
+mod snapping_arches;
 mod solid_contact;
 mod space_decks;
 mod stacks;

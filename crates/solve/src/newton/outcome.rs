@@ -21,6 +21,8 @@ pub struct Outcome {
     pub last: Option<IterationReport>,
     /// Contact that was passed through on the way to an equilibrium.
     pub missed: Option<Missed>,
+    /// Whether the state was found downhill: a jump, at no rate that the next increment could go on with.
+    pub leapt: bool,
 }
 
 /// Counts and histories of an attempt.
@@ -40,7 +42,7 @@ impl Progress {
     /// Ends with a verdict.
     pub(super) fn end(self, verdict: Verdict, fault: Option<SolveError>) -> Outcome {
         let (severe, equilibrium) = (self.severe as usize, self.equilibrium as usize);
-        Outcome { verdict, severe, equilibrium, fault, last: self.last, missed: None }
+        Outcome { verdict, severe, equilibrium, fault, last: self.last, missed: None, leapt: false }
     }
 
     /// What the last iteration may leave of a force [F].

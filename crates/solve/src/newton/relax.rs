@@ -27,8 +27,6 @@ use crate::target::Target;
 const FIRST: f64 = 1e-3;
 /// Greater than this it holds everything where it is [1].
 const GREATEST: f64 = 1e3;
-/// Below this it holds nothing [1].
-const LEAST: f64 = 1e-14;
 /// Largest turn of a step [1], and largest way in lengths of the stiffest
 /// element.
 const LONGEST: f64 = 0.5;
@@ -42,8 +40,11 @@ const STEPS: usize = 600;
 /// there is no way back, and a state that goes to and fro or stands still gets nowhere.
 const ROUND: usize = 40;
 const PROGRESS: f64 = 0.1;
-/// Newton iterations of a step.
+/// Factor by which the way of a round exceeds that of the one before where the state departs [1].
+const GROWTH: f64 = 2.0;
+/// Newton iterations of a step, and the part of its way that the last correction may be [1].
 const ITERATIONS: usize = 4;
+const SOLVED: f64 = 0.1;
 
 /// Walks one increment downhill. `watch` sees every iteration; on success the
 /// workspace holds the converged trial.
@@ -56,10 +57,10 @@ pub fn relax(
 ) -> Outcome {
     work.begin(plan, committed, target);
     let mut progress = Progress::default();
-    work.relaxation.stiffness = FIRST;
+    work.relaxation.set_out(FIRST);
     let verdict = work.relax(plan, committed, (target, &mut progress), watch);
     work.relaxation.stiffness = 0.0;
-    progress.end(verdict, None)
+    Outcome { leapt: true, ..progress.end(verdict, None) }
 }
 
 impl Scratch {
@@ -70,12 +71,14 @@ impl Scratch {
         (target, progress): (&Target, &mut Progress),
         watch: &mut dyn FnMut(&IterationReport),
     ) -> Verdict {
+        self.relaxation.round.clone_from(&self.u);
         for step in 0..STEPS {
             self.note_anchor();
-            if step.is_multiple_of(ROUND) && self.gets_nowhere(plan, step) {
+            if step > 0 && step.is_multiple_of(ROUND) && self.gets_nowhere(plan) {
                 return Verdict::TooSlow;
             }
             let before = self.evaluation.points.clone();
+            let mut solved = false;
             for _ in 0..ITERATIONS {
                 let iterated = self.iterate(plan, committed, target.dt);
                 if self.outside() {
@@ -83,8 +86,10 @@ impl Scratch {
                     return Verdict::Broken;
                 }
                 if iterated.is_err() || self.evaluation.failed.is_some() {
+                    solved = false;
                     break;
                 }
+                solved = self.correction_of_step(plan) <= SOLVED * self.way_of_step(plan);
                 if !self.complete(plan, committed) {
                     self.evaluate(plan, committed, target.dt);
                 }
@@ -98,6 +103,7 @@ impl Scratch {
                 }
                 let moved = self.move_multipliers(plan, progress.allowed_force());
                 if small && !moved {
+                    solved = true;
                     break;
                 }
             }
@@ -111,7 +117,7 @@ impl Scratch {
                 now: &self.evaluation.points,
             };
             let through = plan.contact.passed_through(&sweep, &mut self.sweep).is_some();
-            self.follow_way(plan, committed, (target.dt, through));
+            self.follow_way(plan, committed, (target.dt, solved, through));
             if self.relaxation.stiffness > GREATEST {
                 return Verdict::TooSlow;
             }
@@ -119,32 +125,45 @@ impl Scratch {
         Verdict::TooSlow
     }
 
-    /// Whether the round of steps that ends with this one has gone nowhere; the next one begins.
-    fn gets_nowhere(&mut self, plan: &Problem<'_>, step: usize) -> bool {
+    /// Whether the round of steps that ends with this one has gone nowhere; the next one begins. Where
+    /// a path has just ended next to nothing drives at first, and straight ways grow from round to round.
+    fn gets_nowhere(&mut self, plan: &Problem<'_>) -> bool {
         let least = PROGRESS * ROUND as f64 * AIMED * LONGEST;
-        let stays = step > 0 && self.way(plan, &self.relaxation.round) < least;
+        let away = self.way(plan, &self.relaxation.round);
+        let before = std::mem::replace(&mut self.relaxation.away, away);
+        let walked = std::mem::take(&mut self.relaxation.walked);
+        let departs = away > PROGRESS * walked && away > GROWTH * before;
         self.relaxation.round.clone_from(&self.u);
-        stays
+        away < least && !departs
     }
 
-    /// Chooses the stiffness of the next step by the way of this one; takes it back where it went too
-    /// far, or went `through` something.
-    fn follow_way(&mut self, plan: &Problem<'_>, committed: &State, (dt, through): (f64, bool)) {
+    /// Chooses the stiffness of the next step by the way of this one; takes it back where it was not
+    /// `solved`, went too far, or went `through` something.
+    fn follow_way(
+        &mut self,
+        plan: &Problem<'_>,
+        committed: &State,
+        (dt, solved, through): (f64, bool, bool),
+    ) {
         let way = self.way_of_step(plan);
         let faulty = self.evaluation.fault.is_some() || self.evaluation.failed.is_some();
         let lost = faulty || !self.contact.is_solved();
         // the way is short in proportion to the stiffness
         let aimed = way / (AIMED * LONGEST);
         let by = if way.is_nan() || lost || through {
-            self.return_to_anchor(plan, committed, dt);
             CHANGE * CHANGE
         } else if way > LONGEST {
-            self.return_to_anchor(plan, committed, dt);
             aimed.min(CHANGE * CHANGE)
+        } else if !solved {
+            CHANGE
         } else {
-            aimed.clamp(1.0 / CHANGE, CHANGE)
+            self.relaxation.walk(way, aimed.clamp(1.0 / CHANGE, CHANGE));
+            return;
         };
-        self.relaxation.stiffness = (self.relaxation.stiffness * by).max(LEAST);
+        self.return_to_anchor(plan, committed, dt);
+        // what contact finds no answer to is not the stiffness
+        let was_weak = !solved && !lost && !through;
+        self.relaxation.take_back(by, was_weak);
     }
 
     fn note_anchor(&mut self) {
@@ -162,6 +181,15 @@ impl Scratch {
     /// Largest way since the beginning of the step, as [`Self::way`].
     fn way_of_step(&self, plan: &Problem<'_>) -> f64 {
         self.way(plan, &self.relaxation.anchor)
+    }
+
+    /// Largest correction of the last iteration, as [`Self::way`].
+    fn correction_of_step(&self, plan: &Problem<'_>) -> f64 {
+        let size = |(equation, change): (usize, &f64)| {
+            change.abs() * if plan.units[equation] == 1.0 { 1.0 / plan.lever } else { 1.0 }
+        };
+        let sizes = self.correction.iter().enumerate().map(size);
+        sizes.fold(0.0, |largest, size| if size <= largest { largest } else { size })
     }
 
     /// Largest way since a state in lengths of the stiffest element, or turn [1].

@@ -33,6 +33,9 @@ impl Analysis<'_> {
         commit(plan, self.committed, target, work, self.trial);
         let left = diagnose::slid_off(plan, self.committed, self.trial);
         std::mem::swap(self.committed, self.trial);
+        if outcome.leapt {
+            self.committed.increment_time = (0.0, 0.0);
+        }
         self.totals.increments += 1;
         let Rows { contact, closed, .. } = &mut *self.rows;
         closed.clear();

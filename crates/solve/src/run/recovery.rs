@@ -147,7 +147,7 @@ impl Analysis<'_> {
         }
         let acts = |point: &crate::state::PointState| point.ever_closed;
         let touched = self.committed.points.iter().chain(&work.evaluation.points).any(acts);
-        // a jam or a contradiction has no other equilibrium to go to
+        // a contradiction has no other equilibrium to go to
         let may_go_on = touched && diagnose::may_end_elsewhere(cause);
         if matches!(searched.verdict, Verdict::Converged { .. }) || !may_go_on {
             return Ok(searched);
