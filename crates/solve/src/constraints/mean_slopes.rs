@@ -65,9 +65,10 @@ pub(super) struct At<'a> {
     /// Displacements of the cloud, and what the reference node has of them [L].
     moved: Vec<Vector>,
     mean: Vector,
+    /// Displacement of the weighted centre [L].
+    centre: Vector,
     /// What nodes of the cloud make of a turn, where this counts from [L].
     turns: Vec<Matrix>,
-    moments: Moments,
     frame: FrameTurn,
     rotation: Rotation,
     /// The same as they are turned [L].
@@ -102,18 +103,23 @@ impl<'a> At<'a> {
         let mean = shared.fold([0.0; 3], |sum, (share, own)| {
             std::array::from_fn(|k| sum[k] + share[k] * own[k])
         });
-        let (mut moments, mut frame) = (Moments::default(), FrameTurn::default());
         let turns = cloud.turns.iter().map(|turns| turns.map(|row| start.arm(row).0));
         let turns: Vec<Matrix> = turns.collect();
-        for (k, &own) in moved.iter().enumerate() {
-            let (arm, before) = start.arm(cloud.arms[k]);
-            let moved = sub(sub(own, centre), before);
-            moments.add(cloud.weights[k], arm, moved);
-            frame.add(&turns[k], arm, moved);
-        }
         let rotation = Rotation::of([0.0; 3]);
-        let turned = turns.clone();
-        Self { of, members, start, moved, mean, turns, moments, frame, rotation, turned }
+        let (turned, frame) = (turns.clone(), FrameTurn::default());
+        let mut at =
+            Self { of, members, start, moved, mean, centre, turns, frame, rotation, turned };
+        for member in 0..at.turns.len() {
+            let (arm, moved) = at.arm(member);
+            at.frame.add(&at.turns[member], arm, moved);
+        }
+        at
+    }
+
+    /// The arm of a node where the turn counts from, and how its end has moved since [L].
+    fn arm(&self, member: usize) -> (Vector, Vector) {
+        let (arm, before) = self.start.arm(self.of.cloud.arms[member]);
+        (arm, sub(sub(self.moved[member], self.centre), before))
     }
 
     /// Turns the reference node to these rotations.
@@ -126,7 +132,12 @@ impl<'a> At<'a> {
 
     /// Turns it as the cloud has turned; these rotations, the nearest to some.
     pub fn fit(&mut self, near: Vector, in_space: bool) -> Option<Vector> {
-        let mut found = self.moments.fit(self.start.vector(near), in_space);
+        let mut moments = Moments::default();
+        for (member, &weight) in self.of.cloud.weights.iter().enumerate() {
+            let (arm, moved) = self.arm(member);
+            moments.add(weight, arm, moved);
+        }
+        let mut found = moments.fit(self.start.vector(near), in_space);
         if self.of.cloud.is_of_faces {
             found = found.and_then(|vector| self.frame.refined(vector, in_space));
         }

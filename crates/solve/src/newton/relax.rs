@@ -185,22 +185,23 @@ impl Scratch {
 
     /// Largest correction of the last iteration, as [`Self::way`].
     fn correction_of_step(&self, plan: &Problem<'_>) -> f64 {
-        let size = |(equation, change): (usize, &f64)| {
-            change.abs() * if plan.units[equation] == 1.0 { 1.0 / plan.lever } else { 1.0 }
-        };
-        let sizes = self.correction.iter().enumerate().map(size);
-        sizes.fold(0.0, |largest, size| if size <= largest { largest } else { size })
+        longest(plan, self.correction.iter().copied())
     }
 
     /// Largest way since a state in lengths of the stiffest element, or turn [1].
     fn way(&self, plan: &Problem<'_>, from: &[f64]) -> f64 {
-        let moved = |(equation, &dof): (usize, &usize)| {
-            let way = (self.u[dof] - from[dof]).abs();
-            way * if plan.units[equation] == 1.0 { 1.0 / plan.lever } else { 1.0 }
-        };
-        let ways = plan.constraints.dof_of_equation.iter().enumerate().map(moved);
-        ways.fold(0.0, |largest, way| if way <= largest { largest } else { way })
+        let dofs = plan.constraints.dof_of_equation.iter();
+        longest(plan, dofs.map(|&dof| self.u[dof] - from[dof]))
     }
+}
+
+/// The largest of changes, one an equation, in lengths of the stiffest element, or as a turn [1]; not a
+/// number where one is none.
+fn longest(plan: &Problem<'_>, changes: impl Iterator<Item = f64>) -> f64 {
+    let sizes = changes
+        .zip(plan.units)
+        .map(|(change, &unit)| change.abs() * if unit == 1.0 { 1.0 / plan.lever } else { 1.0 });
+    sizes.fold(0.0, |largest, size| if size <= largest { largest } else { size })
 }
 
 /// A correction below this part of the increment ends the iterations of a step [1].
