@@ -137,6 +137,30 @@ fn files(old: &Path) -> JobFiles {
 }
 
 impl From {
+    /// The state that a deck with `*RESTART, READ` begins with.
+    pub(crate) fn first_state(
+        &self,
+        model: &Model,
+    ) -> Result<Option<&Checkpoint<'static>>, Box<Diagnostic>> {
+        match &self.checkpoint {
+            Some(checkpoint) if checkpoint.fits(model) => Ok(Some(checkpoint)),
+            Some(_) => {
+                let states = self.states.display();
+                let message = format!("the saved state {states} is not one of this model");
+                let said = Diagnostic::error(Code("SL0708"), message);
+                // other dofs follow then, some of them along axes that turn
+                let help = "Run the previous job again. A deck must be one with it where that job has NLGEOM and the \
+                            deck prescribes dofs of the reference node of *DISTRIBUTING that were free, or adds steps \
+                            without NLGEOM to a *TIE across a gap or a *DISTRIBUTING.";
+                Err(Box::new(said.help(help)))
+            }
+            None => {
+                let message = "this deck continues a previous job, and none is named";
+                Err(Box::new(Diagnostic::error(Code("SL0711"), message)))
+            }
+        }
+    }
+
     /// The meaning of the deck behind the earlier ones.
     pub(crate) fn interpret(
         &self,

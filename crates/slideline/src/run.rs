@@ -11,7 +11,6 @@ use slideline_output::{
     Facts, Formats, JobFiles, Past, Status, WriteError, Writers, dropped_friction,
     remove_stale_lock,
 };
-use slideline_solve::Checkpoint;
 use slideline_solve::observe::{Ending, Event, Frame, Observer, Stop, Totals};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -87,7 +86,7 @@ pub fn run(read: &Read, options: &RunOptions, observer: &mut dyn Observer) -> Ou
         let failure = slideline_output::write_input_error(&files, facts).err();
         return ended(Status::InputError, files, missing, failure);
     }
-    let from = match first_state(read, model) {
+    let from = match read.from.as_ref().map_or(Ok(None), |from| from.first_state(model)) {
         Ok(from) => from,
         Err(said) => return ended(Status::InputError, files, vec![*said], None),
     };
@@ -127,31 +126,6 @@ fn facts<'a>(read: &'a Read, options: &RunOptions, chosen: &'a Chosen) -> Facts<
         sensitivities: &chosen.names,
         earlier: read.from.as_ref().map(|from| &from.earlier),
         formats: options.formats,
-    }
-}
-
-/// The state of an earlier job that a deck with `*RESTART, READ` begins with.
-fn first_state<'a>(
-    read: &'a Read,
-    model: &Model,
-) -> Result<Option<&'a Checkpoint<'static>>, Box<Diagnostic>> {
-    let Some(from) = &read.from else { return Ok(None) };
-    let states = from.states.display();
-    match &from.checkpoint {
-        Some(checkpoint) if checkpoint.fits(model) => Ok(Some(checkpoint)),
-        Some(_) => {
-            let message = format!("the saved state {states} is not one of this model");
-            let said = Diagnostic::error(Code("SL0708"), message);
-            // other dofs follow then, some of them along axes that turn
-            let help = "Run the previous job again. A deck must be one with it where that job has NLGEOM and the \
-                        deck prescribes dofs of the reference node of *DISTRIBUTING that were free, or adds steps \
-                        without NLGEOM to a *TIE across a gap or a *DISTRIBUTING.";
-            Err(Box::new(said.help(help)))
-        }
-        None => {
-            let message = "this deck continues a previous job, and none is named";
-            Err(Box::new(Diagnostic::error(Code("SL0711"), message)))
-        }
     }
 }
 
