@@ -5,7 +5,9 @@ use crate::moments::{Carrier, Rehearsal};
 use crate::sides::SurfacePoints;
 use crate::start::{Start, arc_of, circle_of, length, less, spacing};
 use slideline_diag::{Code, Diagnostic, Severity};
-use slideline_model::{ContactPair, Master, Onset, RigidSurface, SlideLine, Step, SurfaceSegment};
+use slideline_model::{
+    ContactPair, Master, NodeIndex, Onset, RigidSurface, SlideLine, Step, SurfaceSegment,
+};
 
 /// SL0405, SL0406 and SL0408.
 pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
@@ -72,11 +74,11 @@ fn drifts_off(start: &Start<'_>, pair: &ContactPair) -> Option<Finding> {
     let place = start.model.contact_pairs.iter().position(|own| own == pair)?;
     let nearest = start.nearest(place)?;
     let tangent = [nearest.normal[1], -nearest.normal[0]];
-    let mut along = nearest.along;
+    let mut passed = 0.0;
     (0..start.model.steps.len()).find_map(|number| {
         let travel = start.travel(number, pair, nearest);
-        along += travel[0] * tangent[0] + travel[1] * tangent[1];
-        let mut finding = too_short(start, pair, line, along)?;
+        passed += travel[0] * tangent[0] + travel[1] * tangent[1];
+        let mut finding = too_short(start, (place, pair), line, passed)?;
         finding.diagnostic.severity = Severity::Advice;
         Some(finding)
     })
@@ -112,7 +114,7 @@ fn estimated(start: &Start<'_>, place: usize, pair: &ContactPair, findings: &mut
             findings.extend(loses_friction(start, pair, wander, share));
         }
         if let Master::SlideLine(line) = &pair.master {
-            findings.extend(too_short(start, pair, line, nearest.along + along));
+            findings.extend(too_short(start, (place, pair), line, along));
         }
     }
 }
@@ -215,7 +217,7 @@ fn off_the_end(pair: &ContactPair, number: usize, beyond: f64) -> Diagnostic {
             surface.origin,
         ),
         Master::SlideLine(line) => (
-            "slide line",
+            pair.vocabulary.chain(),
             format!(
                 "{} on that side, or end the motion earlier on *BOUNDARY",
                 pair.vocabulary.lengthen_chain()
@@ -262,13 +264,53 @@ fn prolonged(surface: &RigidSurface, at_start: bool, by: f64) -> String {
     points.lines()
 }
 
-/// SL0408: the stroke leads beyond an end of the slide line.
+/// SL0408: a way that leads all slaves that are about as near as the nearest beyond an end of the slide line.
 fn too_short(
     start: &Start<'_>,
-    pair: &ContactPair,
+    (place, pair): (usize, &ContactPair),
     line: &SlideLine,
-    reached: f64,
+    passed: f64,
 ) -> Option<Finding> {
+    let near = start.nearest(place)?.opening + spacing(start.model, pair);
+    let places: Option<Vec<(f64, NodeIndex)>> = start
+        .facing(place)
+        .filter(|row| row.opening <= near)
+        .map(|row| beyond_end(start, line, place_along(start, line, row.position) + passed))
+        .collect();
+    let (beyond, node) = places?.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let message = format!(
+        "the {} of {} is too short for the stroke: the contact point would end about \
+         {beyond:.3e} beyond node {}, and contact is lost there",
+        pair.vocabulary.chain(),
+        pair.name,
+        start.model.nodes.name(node)
+    );
+    Some(Finding::said(Diagnostic::warning(Code("SL0408"), message).at(line.origin).help(format!(
+        "{} on that side, or end the motion earlier on *BOUNDARY",
+        pair.vocabulary.lengthen_chain()
+    ))))
+}
+
+/// Where on a slide line a point stands, from its first node [L].
+fn place_along(start: &Start<'_>, line: &SlideLine, point: [f64; 3]) -> f64 {
+    let (mut passed, mut nearest) = (0.0, (f64::INFINITY, 0.0));
+    for ends in line.nodes.windows(2) {
+        let from = start.model.nodes.position(ends[0]);
+        let way = less(start.model.nodes.position(ends[1]), from);
+        let (long, off) = (length(way), less(point, from));
+        let by = way.iter().zip(off).map(|(a, b)| a * b).sum::<f64>() / long.powi(2);
+        let foot = by.clamp(0.0, 1.0);
+        let apart = length(less(off, way.map(|x| foot * x)));
+        if apart < nearest.0 {
+            nearest = (apart, passed + foot * long);
+        }
+        passed += long;
+    }
+    nearest.1
+}
+
+/// How far a place is beyond an end of a slide line [L], and that end.
+fn beyond_end(start: &Start<'_>, line: &SlideLine, reached: f64) -> Option<(f64, NodeIndex)> {
     let at = |node| start.model.nodes.position(node);
     let whole = line_length(start, line);
     let ends = [
@@ -279,21 +321,11 @@ fn too_short(
     ];
     let before = line.extension * length(less(at(*ends[1]), at(*ends[0])));
     let after = line.extension * length(less(at(*ends[3]), at(*ends[2])));
-    let (beyond, node) = if reached < -before {
-        (-before - reached, *ends[0])
+    if reached < -before {
+        Some((-before - reached, *ends[0]))
     } else if reached > whole + after {
-        (reached - whole - after, *ends[3])
+        Some((reached - whole - after, *ends[3]))
     } else {
-        return None;
-    };
-    let message = format!(
-        "the slide line of {} is too short for the stroke: the contact point would end about \
-         {beyond:.3e} beyond node {}, and contact is lost there",
-        pair.name,
-        start.model.nodes.name(node)
-    );
-    Some(Finding::said(Diagnostic::warning(Code("SL0408"), message).at(line.origin).help(format!(
-        "{} on that side, or end the motion earlier on *BOUNDARY",
-        pair.vocabulary.lengthen_chain()
-    ))))
+        None
+    }
 }

@@ -22,6 +22,9 @@ pub(crate) fn of_card(card: &Reading<'_>, draft: &mut Draft) -> Option<(String, 
     };
     let name = format!("{} LATER BY {delay:e}", curve.name);
     if draft.model.amplitude(&name).is_none() {
+        if draft.absolute_amplitudes.contains(&curve.name) {
+            draft.absolute_amplitudes.insert(name.clone());
+        }
         let later = curve.curve.delayed(delay);
         draft.model.amplitudes.push(Amplitude { name: name.clone(), curve: later, ..curve });
     }

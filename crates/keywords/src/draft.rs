@@ -8,7 +8,7 @@ mod owner;
 mod properties;
 mod sections;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use slideline_deck::DataLine;
 use slideline_diag::{Code, Diagnostic, Span};
@@ -143,6 +143,8 @@ pub(crate) struct Draft {
     pub earlier_steps: usize,
     /// Boundary conditions before the first step.
     pub initial: Vec<Boundary>,
+    /// Amplitudes in place of the numbers of loads and motions: `VALUE=ABSOLUTE`.
+    pub absolute_amplitudes: HashSet<String>,
     /// Thickness at nodes.
     pub thicknesses: Vec<NodalThickness>,
     /// Temperatures before the first step.

@@ -51,6 +51,11 @@ impl Vocabulary {
         self.either("*RIGID SURFACE", "*SURFACE, TYPE=SEGMENTS")
     }
 
+    /// What a deforming master in the plane is called.
+    pub fn chain(self) -> &'static str {
+        self.either("slide line", "master")
+    }
+
     /// How a deforming master is turned over.
     pub fn turn_chain(self) -> &'static str {
         self.either(

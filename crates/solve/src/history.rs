@@ -13,7 +13,7 @@ use crate::constraints::Role;
 use crate::continued::Continued;
 use crate::problem::Problem;
 use slideline_mech::element::Temperature;
-use slideline_model::{Amplitude, Load, Step};
+use slideline_model::{Amplitude, Dialect, Load, Step};
 
 impl Problem<'_> {
     /// Puts the prescribed values of a time of the step into `u`.
@@ -45,9 +45,11 @@ impl Problem<'_> {
             load[dof] += self.applied(step_time, own, |before| &before.distributed.forces);
         }
         // A support that is released lets go over the step (manual), and so does what is removed,
-        // eq. (9.6).
-        for (value, &reaction) in load.iter_mut().zip(&*self.start.released) {
-            *value += self.at(step_time, reaction, 0.0, None);
+        // eq. (9.6); in CalculiX they are gone when it begins.
+        if self.model.dialect == Dialect::Abaqus {
+            for (value, &reaction) in load.iter_mut().zip(&*self.start.released) {
+                *value += self.at(step_time, reaction, 0.0, None);
+            }
         }
     }
 

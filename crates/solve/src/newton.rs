@@ -25,6 +25,7 @@ mod relax;
 mod relaxation;
 mod scratch;
 mod search;
+mod secants;
 mod stresses;
 mod trial;
 mod turns;

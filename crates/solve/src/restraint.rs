@@ -12,7 +12,7 @@
 
 use slideline_linalg::reduce_rows;
 use slideline_model::{Dof, Model, NodeIndex, Presence, SpringWay, Step};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// The bodies of a model and how a step restrains them.
 pub struct Restraint {
@@ -44,6 +44,7 @@ impl Restraint {
     pub fn of(model: &Model, step: &Step) -> Self {
         let presence = &step.presence;
         let mut bodies = Bodies::of(model, presence);
+        let tethers = bodies.tethers(model, step);
         let size = (0..model.nodes.len())
             .flat_map(|node| model.nodes.position(node))
             .fold(0.0_f64, |size, x| size.max(x.abs()));
@@ -57,14 +58,20 @@ impl Restraint {
         let held = held.chain(springs).chain(presence.rings(&model.blocks));
         let held: Vec<(NodeIndex, Dof)> = held.collect();
         let mut rows: HashMap<NodeIndex, Vec<Motion>> = HashMap::new();
-        for (node, dof) in held {
-            let root = bodies.root(node);
-            let (at, origin) = (model.nodes.position(node), model.nodes.position(root));
-            let arm: [f64; 3] = std::array::from_fn(|axis| match size > 0.0 {
-                true => (at[axis] - origin[axis]) / size,
-                false => 0.0,
-            });
-            rows.entry(root).or_default().push(named_motion(model, node, dof, arm));
+        let single = held.into_iter().map(|(node, dof)| vec![(node, dof, 1.0)]);
+        for terms in single.chain(tethers) {
+            let root = bodies.root(terms[0].0);
+            let mut row = [0.0; 6];
+            for (node, dof, factor) in terms {
+                let (at, origin) = (model.nodes.position(node), model.nodes.position(root));
+                let arm: [f64; 3] = std::array::from_fn(|axis| match size > 0.0 {
+                    true => (at[axis] - origin[axis]) / size,
+                    false => 0.0,
+                });
+                let own = named_motion(model, node, dof, arm);
+                row.iter_mut().zip(own).for_each(|(sum, part)| *sum += factor * part);
+            }
+            rows.entry(root).or_default().push(row);
         }
         let in_space = model.is_in_space();
         Self { bodies, rows, in_space, size }
@@ -134,7 +141,7 @@ struct Bodies {
     /// Nodes that something uses.
     used: Vec<NodeIndex>,
     /// Roots of bodies that can turn: all but lone contact nodes.
-    turns: std::collections::HashSet<NodeIndex>,
+    turns: HashSet<NodeIndex>,
 }
 
 impl Bodies {
@@ -148,12 +155,6 @@ impl Bodies {
         for (_, element) in joining() {
             element.nodes.windows(2).for_each(|w| new.join(w[0], w[1]));
             turning.extend(element.nodes);
-        }
-        // what an equation or a tie joins is taken as one body: it may hold
-        for constraint in &model.linear_constraints {
-            for &(node, ..) in &constraint.terms {
-                new.join(node, constraint.dependent.0);
-            }
         }
         for link in &model.rigid_links {
             new.join(link.master, link.dependent);
@@ -171,6 +172,34 @@ impl Bodies {
         }
         new.used.extend(turning);
         new
+    }
+
+    /// What equations hold of single bodies, the rest of whose terms is prescribed in the step. Several bodies that an
+    /// equation or a tie joins are taken as one from then on: it may hold.
+    fn tethers(&mut self, model: &Model, step: &Step) -> Vec<Vec<(NodeIndex, Dof, f64)>> {
+        let prescribed: HashSet<(NodeIndex, Dof)> =
+            step.prescribed.iter().map(|own| (own.node, own.dof)).collect();
+        let (mut tethers, mut joints) = (Vec::new(), Vec::new());
+        for constraint in &model.linear_constraints {
+            let (node, dof) = constraint.dependent;
+            let others = constraint.terms.iter().map(|&(node, dof, factor)| (node, dof, -factor));
+            let mut free: Vec<_> = std::iter::once((node, dof, 1.0)).chain(others).collect();
+            free.retain(|&(node, dof, _)| !prescribed.contains(&(node, dof)));
+            let Some(&(first, ..)) = free.first() else { continue };
+            let body = self.root(first);
+            let largest = free.iter().fold(0.0_f64, |most, own| most.max(own.2.abs()));
+            free.iter_mut().for_each(|own| own.2 /= largest);
+            match free.iter().all(|&(node, ..)| self.root(node) == body) {
+                true => tethers.push(free),
+                false => joints.push(free),
+            }
+        }
+        for joint in joints {
+            joint.windows(2).for_each(|two| self.join(two[0].0, two[1].0));
+        }
+        let turning = std::mem::take(&mut self.turns);
+        self.turns = turning.into_iter().map(|node| self.root(node)).collect();
+        tethers
     }
 
     fn root(&mut self, mut node: NodeIndex) -> NodeIndex {

@@ -58,6 +58,7 @@ fn node_rows(contact: &Contact, state: &State, pair: usize, rows: &mut Vec<Conta
     rows.extend(own.map(|(point, state)| row_of(point, state, pair)));
 }
 
+/// Its area is the one that its pressure acts on: of faces that are covered in part, that part.
 fn row_of(point: &SlavePoint, state: &PointState, pair: usize) -> ContactRow {
     ContactRow {
         pair,
@@ -69,7 +70,7 @@ fn row_of(point: &SlavePoint, state: &PointState, pair: usize) -> ContactRow {
         shear: state.traction,
         slip: state.slip,
         directions: state.directions(),
-        area: point.area,
+        area: if state.area > 0.0 { state.area } else { point.area },
         friction: state.friction,
         position: state.position,
         normal: state.normal,

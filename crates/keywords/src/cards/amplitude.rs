@@ -50,7 +50,7 @@ impl Keyword for Amplitude {
         let kinds = &["TABULAR", "EQUALLY SPACED", "SMOOTH STEP", "PERIODIC", "MODULATED", "DECAY"];
         let kind = card.choice("DEFINITION", kinds, &mut draft.log);
         let time = card.choice("TIME", &["STEP TIME", "TOTAL TIME"], &mut draft.log);
-        card.choice("VALUE", &["RELATIVE", "ABSOLUTE"], &mut draft.log);
+        let value = card.choice("VALUE", &["RELATIVE", "ABSOLUTE"], &mut draft.log);
         let Some(name) = card.name("NAME") else { return };
         if let Some(old) = draft.model.amplitude(&name) {
             let message = format!("the amplitude {name} is defined twice");
@@ -88,6 +88,9 @@ impl Keyword for Amplitude {
             }
         };
         if let Some(curve) = curve {
+            if value == Some("ABSOLUTE") {
+                absolute(&name, card, draft);
+            }
             let (total, origin) = (time == Some("TOTAL TIME"), card.span());
             draft.model.amplitudes.push(model::Amplitude {
                 name,
@@ -96,6 +99,17 @@ impl Keyword for Amplitude {
                 total,
                 origin,
             });
+        }
+    }
+}
+
+/// `VALUE=ABSOLUTE`: in place of the numbers of loads and motions.
+fn absolute(name: &str, card: &Reading<'_>, draft: &mut Draft) {
+    match draft.dialect {
+        Dialect::Abaqus => _ = draft.absolute_amplitudes.insert(name.to_owned()),
+        Dialect::Calculix => {
+            let message = "VALUE has no effect here: in CalculiX amplitudes are always factors";
+            draft.log.note("SL0257", message, card.span_of("VALUE"));
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Amplitudes by their names.
+//! Amplitudes by their names, and those that stand in place of numbers.
 
 use slideline_diag::{Code, Diagnostic, Span};
 
@@ -20,4 +20,34 @@ pub(super) fn amplitude((name, span): &(String, Span), draft: &mut Draft) -> Opt
         draft.consequence(Subject::Amplitudes, error);
     }
     found
+}
+
+/// Makes the number of every line whose amplitude is absolute one.
+pub(super) fn absolute(draft: &mut Draft) {
+    if draft.absolute_amplitudes.is_empty() {
+        return;
+    }
+    let names = std::mem::take(&mut draft.absolute_amplitudes);
+    let is_absolute =
+        |own: &Option<(String, Span)>| own.as_ref().is_some_and(|(name, _)| names.contains(name));
+    let mut sloped = Vec::new();
+    for step in &mut draft.steps {
+        let lines = step.boundary.iter_mut().chain(&mut step.loads);
+        let lines = lines.map(|line| (&mut line.value, &line.amplitude));
+        let rest = step.distributed.iter_mut().map(|line| (&mut line.value, &line.amplitude));
+        let ways = step.interferences.iter_mut();
+        let ways = ways.filter_map(|line| Some((line.value.as_mut()?, &line.amplitude)));
+        let given = lines.chain(rest).chain(ways);
+        given.filter(|own| is_absolute(own.1)).for_each(|(value, _)| *value = 1.0);
+        for line in step.temperatures.iter_mut().filter(|line| is_absolute(&line.amplitude)) {
+            line.temperature.value = 1.0;
+            sloped.extend(line.slope);
+        }
+    }
+    for span in sloped {
+        let message = "a slope of the temperature with an amplitude that is absolute";
+        let error = Diagnostic::error(Code("SL0221"), format!("{message} is not supported"));
+        let help = "give the amplitude VALUE=RELATIVE: the slope follows it then";
+        draft.log.push(error.at(span).help(help));
+    }
 }

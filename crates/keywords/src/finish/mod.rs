@@ -113,6 +113,7 @@ pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     temperatures::initial(draft);
     temperatures::without_expansion(draft);
     temperatures::out_of_plane(draft);
+    amplitudes::absolute(draft);
     steps::steps(draft, steps_doubted);
     renumber(&mut draft.model);
     draft.model.find_edges();

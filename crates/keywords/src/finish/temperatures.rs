@@ -1,7 +1,7 @@
 //! Temperatures of nodes: what lines mean for each node, before the first step and in it.
 
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_model::{NodalTemperature, NodeIndex, Temperature};
+use slideline_model::{NodalTemperature, NodeIndex, NumberedSet, Temperature};
 
 use super::standing::InForce;
 use crate::draft::{Draft, Heat};
@@ -10,13 +10,32 @@ use crate::draft::{Draft, Heat};
 pub(super) fn initial(draft: &mut Draft) {
     for line in std::mem::take(&mut draft.initial_temperatures) {
         check(&line, draft);
-        let nodes = draft.nodes_of(&line.target, line.target_span);
+        let nodes = on_both_sides(&line, draft);
         let all = &mut draft.model.initial_temperatures;
         all.resize(draft.model.nodes.len(), Temperature::default());
         for node in nodes {
             all[node] = line.temperature;
         }
     }
+}
+
+/// The nodes that a line names, and those that stand for them behind cuts by pre-tension sections.
+fn on_both_sides(line: &Heat, draft: &mut Draft) -> Vec<NodeIndex> {
+    let mut nodes = draft.nodes_of(&line.target, line.target_span);
+    let named: NumberedSet<NodeIndex> = match draft.cut_nodes.is_empty() {
+        true => return nodes,
+        false => nodes.iter().copied().collect(),
+    };
+    let find = |label: &u64| draft.model.nodes.find(*label);
+    let mut behind: Vec<NodeIndex> = draft
+        .cut_nodes
+        .iter()
+        .filter(|(_, of)| find(of).is_some_and(|of| named.contains(&of)))
+        .filter_map(|(own, _)| find(own))
+        .collect();
+    behind.sort_unstable();
+    nodes.extend(behind);
+    nodes
 }
 
 /// Says that temperatures of the steps cause no strain where no material expands.
@@ -54,7 +73,7 @@ pub(super) fn heat(
     draft: &mut Draft,
 ) {
     check(line, draft);
-    for node in draft.nodes_of(&line.target, line.target_span) {
+    for node in on_both_sides(line, draft) {
         let (temperature, origin) = (line.temperature, line.origin);
         into.set(node, NodalTemperature { node, temperature, amplitude, origin });
     }

@@ -81,7 +81,8 @@ fn of_section(
         matches!(element.kind, ElementKind::Structural(row)
             if row.joins() && !row.is_spatial() && !row.is_ring() && !row.is_truss())
     });
-    let nodes: Vec<u64> = plane.flat_map(|element| element.nodes()).copied().collect();
+    let nodes: Vec<u64> =
+        plane.flat_map(|element| element.nodes()).map(|&node| draft.uncut(node)).collect();
     let first = nodes.iter().find_map(|node| at.get(node))?;
     let other = nodes.iter().find(|node| at.get(node).is_none_or(|own| own.0 != first.0));
     Some(match other {

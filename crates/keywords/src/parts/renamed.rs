@@ -120,6 +120,7 @@ impl Place for NamedSurface {
 impl Place for Pairing {
     fn placed(mut self, by: &Placement) -> Self {
         (self.slave, self.master) = (self.slave.placed(by), self.master.placed(by));
+        self.axes = self.axes.map(|own| own.map(|(name, span)| (by.name(&name), span)));
         self
     }
 }
@@ -231,6 +232,7 @@ impl Place for Coupling {
     fn placed(mut self, by: &Placement) -> Self {
         self.reference = self.reference.placed(by);
         self.points = self.points.into_iter().map(|points| points.placed(by)).collect();
+        self.axes = self.axes.map(|(name, span)| (by.name(&name), span));
         self
     }
 }

@@ -67,6 +67,15 @@ impl LinearPoint {
         }
     }
 
+    /// Moves a solution that presses by changes of its pressure and traction [F/L2]; it goes on pressing.
+    pub fn move_by(&mut self, pressure: f64, traction: Tangential) {
+        if (self.pressure + pressure) * self.pressure > 0.0 {
+            self.pressure += pressure;
+            let moved = self.traction() + traction;
+            self.set_traction(moved);
+        }
+    }
+
     /// Sets the augmentation along the normal and along the tangents [F/L3].
     pub fn set_augmentation(&mut self, augmentation: Augmentation) {
         self.stiffness = augmentation.normal;

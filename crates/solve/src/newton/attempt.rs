@@ -70,6 +70,7 @@ pub fn attempt(
         if work.move_multipliers(plan, progress.allowed_force()) {
             progress.moves += 1;
             progress.begin_anew();
+            work.secants.forget();
             if work.moves > MOST_MOVES {
                 work.complete(plan, committed);
                 return progress.end(Verdict::TooSlow, None);

@@ -44,6 +44,7 @@ impl Scratch {
         self.negative_pivots = 0;
         (self.factored, self.nearly_there) = (false, false);
         self.thrown = false;
+        self.secants.forget();
         let times = (target.step_time, target.dt);
         stabilise::fill(plan, committed, times, &mut self.dashpots);
         self.u.copy_from_slice(&committed.displacement);

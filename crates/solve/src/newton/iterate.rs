@@ -119,6 +119,9 @@ impl Scratch {
         if self.line_search {
             self.search(plan, committed, (dt, length));
         } else {
+            if length == 1.0 {
+                self.follow_secants(plan);
+            }
             self.advance(plan, length);
             match self.nearly_there {
                 true => self.evaluate_without_tangent(plan, committed, dt),

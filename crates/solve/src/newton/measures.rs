@@ -55,7 +55,9 @@ impl Scratch {
         let controls = &plan.step.controls.field;
         let averages = [0, 1].map(|field| committed.flux[field].with(flux[field], controls));
         let floors = self.floors(plan, committed);
-        self.note_changes(plan, floors[0].max(controls.r_n * averages[0]), &mut report);
+        let negligible = floors[0].max(controls.r_n * averages[0]);
+        let by_places = self.position_rounding(plan) * plan.structure.stiffest;
+        self.note_changes(plan, negligible.max(by_places), &mut report);
         self.iteration_history.note(&self.evaluation.points);
         if report.severe {
             progress.severe += 1;
@@ -212,10 +214,15 @@ impl Scratch {
     /// Overclosure that the structure would answer with the residual allowed,
     /// or that rounding leaves [L].
     pub(super) fn contact_tolerance(&self, plan: &Problem<'_>, allowed: f64) -> f64 {
-        let moved = self.u.iter().fold(0.0_f64, |largest, u| largest.max(u.abs()));
-        let rounding = 8.0 * f64::EPSILON * (plan.reach + moved);
+        let rounding = self.position_rounding(plan);
         let stiffest = plan.structure.stiffest;
         let by_force = if stiffest > 0.0 { allowed / stiffest } else { 0.0 };
         by_force.max(rounding)
+    }
+
+    /// What rounding leaves of an overclosure [L].
+    fn position_rounding(&self, plan: &Problem<'_>) -> f64 {
+        let moved = self.u.iter().fold(0.0_f64, |largest, u| largest.max(u.abs()));
+        8.0 * f64::EPSILON * (plan.reach + moved)
     }
 }

@@ -2,6 +2,7 @@
 
 use super::outcome::Outcome;
 use super::relaxation::Relaxation;
+use super::secants::Secants;
 use crate::contact::{
     Candidates, Contact, ContactKinematics, GeometryScratch, MasterPositions, Reached, SweepScratch,
 };
@@ -132,6 +133,8 @@ pub struct Scratch {
     pub(super) step_length: f64,
     /// Whether every facing point augments its stiffness in this attempt.
     pub(super) augment_all: bool,
+    /// The last iterations of this attempt.
+    pub(super) secants: Secants,
     /// What holds the state back on its way downhill.
     pub(super) relaxation: Relaxation,
     /// The list of changes of the last report, to be used again.

@@ -1,0 +1,176 @@
+//! What corrections that hardly lessen tell of stiffness that the tangent does not know.
+//!
+//! ```text
+//!   |d|  x                       corrections d of an iteration whose tangent lacks something
+//!        |  x  x                 fall by one and the same factor, or turn to and fro;
+//!        |        x  x           the changes of the last ones, by the ways that were gone, say
+//!        |   secants: '--x       how they go on: the step goes there at once
+//!        +-------------------- iterations
+//! ```
+//!
+//! docs/theory.md section 2.12. D. G. Anderson, J. ACM 12 (1965) 547-560
+
+use super::scratch::Scratch;
+use crate::problem::Problem;
+use slideline_mech::contact::tangential::Tangential;
+
+/// Changes that are remembered. (choice)
+const DEPTH: usize = 3;
+/// A correction that is no smaller than this part of the one before converges slowly [1]. (choice)
+const SLOW: f64 = 0.25;
+/// Part of a correction that the changes may leave unexplained for a step by them [1]. (choice)
+const UNEXPLAINED: f64 = 0.5;
+/// Part of its square that of a change may be in the others for it to be one of its own [1]. (choice)
+const DEPENDENT: f64 = 1e-8;
+
+/// One iteration.
+#[derive(Clone, Debug, Default)]
+struct Iteration {
+    /// The correction, an equation each.
+    correction: Vec<f64>,
+    /// What was gone of it, or instead of it.
+    way: Vec<f64>,
+    /// Pressures to which the linear solution came, a contact point each [F/L2].
+    pressures: Vec<f64>,
+    /// Tractions likewise.
+    tractions: Vec<Tangential>,
+}
+
+/// The last iterations of an attempt.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Secants {
+    /// The newest is the last of those that are used.
+    all: [Iteration; DEPTH + 1],
+    used: usize,
+}
+
+impl Secants {
+    /// Begins an attempt.
+    pub(super) fn forget(&mut self) {
+        self.used = 0;
+    }
+
+    /// Makes room for the newest iteration.
+    fn next(&mut self) -> &mut Iteration {
+        if self.used == self.all.len() {
+            self.all.rotate_left(1);
+            self.used -= 1;
+        }
+        self.used += 1;
+        &mut self.all[self.used - 1]
+    }
+
+    /// The factors of the changes between iterations that explain most of the last correction, the newest
+    /// first; `None` where iterations converge well, or the changes explain too little.
+    /// docs/theory.md eq. (2.50)
+    fn factors(&self, counts: impl Fn(usize) -> bool) -> Option<[f64; DEPTH]> {
+        let of = |k: usize| &self.all[k].correction[..];
+        let last = self.used.checked_sub(1)?;
+        let product = |a: &dyn Fn(usize) -> f64, b: &dyn Fn(usize) -> f64| -> f64 {
+            (0..of(last).len()).filter(|&k| counts(k)).map(|k| a(k) * b(k)).sum()
+        };
+        let size = |k: usize| product(&|e| of(k)[e], &|e| of(k)[e]);
+        let slow = |k: usize| size(k) >= SLOW * SLOW * size(k - 1);
+        if last < 2 || !slow(last) || !slow(last - 1) {
+            return None;
+        }
+        let change = |k: usize| move |e: usize| of(last - k)[e] - of(last - k - 1)[e];
+        let mut gram = [[0.0; DEPTH]; DEPTH];
+        let mut right = [0.0; DEPTH];
+        for row in 0..last.min(DEPTH) {
+            right[row] = product(&change(row), &|e| of(last)[e]);
+            for column in 0..=row {
+                gram[row][column] = product(&change(row), &change(column));
+            }
+        }
+        let (factors, explained) = least_squares(gram, right);
+        let left = size(last) - explained;
+        (left <= UNEXPLAINED * UNEXPLAINED * size(last)).then_some(factors)
+    }
+
+    /// Turns the last correction into a step by the secants. docs/theory.md eq. (2.51)
+    fn turn(&self, factors: &[f64; DEPTH], correction: &mut [f64]) {
+        self.changes(factors).for_each(|(factor, before, after)| {
+            let ways = before.way.iter().zip(&before.correction).zip(&after.correction);
+            for (into, ((way, from), to)) in correction.iter_mut().zip(ways) {
+                *into -= factor * (way + to - from);
+            }
+        });
+    }
+
+    /// By how much the pressure and the traction of a point go with that [F/L2].
+    fn change(&self, factors: &[f64; DEPTH], place: usize) -> (f64, Tangential) {
+        let none = (0.0, Tangential::ZERO);
+        self.changes(factors).fold(none, |(pressure, traction), (factor, before, after)| {
+            let pressed = after.pressures[place] - before.pressures[place];
+            let rubbed = after.tractions[place] - before.tractions[place];
+            (pressure - factor * pressed, traction - factor * rubbed)
+        })
+    }
+
+    /// The changes between iterations that have a factor, the newest first.
+    fn changes(&self, factors: &[f64; DEPTH]) -> impl Iterator<Item = (f64, &Iteration, &Iteration)> {
+        let last = self.used - 1;
+        let used = factors.iter().enumerate().filter(|own| *own.1 != 0.0);
+        used.map(move |(k, &factor)| (factor, &self.all[last - k - 1], &self.all[last - k]))
+    }
+}
+
+/// Solves the normal equations of changes, the newest first, whose products are the lower part of `gram`; changes that
+/// the newer ones hold are left out. Also what is explained of the square of the right side.
+fn least_squares(mut gram: [[f64; DEPTH]; DEPTH], mut right: [f64; DEPTH]) -> ([f64; DEPTH], f64) {
+    let whole: [f64; DEPTH] = std::array::from_fn(|k| gram[k][k]);
+    let mut explained = 0.0;
+    // L D L^T, without those that depend on others
+    for k in 0..DEPTH {
+        let pivot = gram[k][k];
+        if pivot <= DEPENDENT * whole[k] {
+            (gram[k][k], right[k]) = (0.0, 0.0);
+            (k + 1..DEPTH).for_each(|row| gram[row][k] = 0.0);
+            continue;
+        }
+        explained += right[k] * right[k] / pivot;
+        for row in k + 1..DEPTH {
+            let factor = gram[row][k] / pivot;
+            for column in k + 1..=row {
+                gram[row][column] -= factor * gram[column][k];
+            }
+            right[row] -= factor * right[k];
+            gram[row][k] = factor;
+        }
+    }
+    let mut factors = [0.0; DEPTH];
+    for k in (0..DEPTH).rev() {
+        if gram[k][k] > 0.0 {
+            let later: f64 = (k + 1..DEPTH).map(|row| gram[row][k] * factors[row]).sum();
+            factors[k] = right[k] / gram[k][k] - later;
+        }
+    }
+    (factors, explained)
+}
+
+impl Scratch {
+    /// Replaces a correction by a step along the secants of the last iterations, where these converge slowly.
+    pub(super) fn follow_secants(&mut self, plan: &Problem<'_>) {
+        let own = self.secants.next();
+        own.correction.clone_from(&self.correction);
+        own.pressures.clone_from(&self.pressures);
+        own.tractions.clone_from(&self.tractions);
+        for linear in self.points.iter() {
+            own.pressures[linear.place] = linear.pressure;
+            own.tractions[linear.place] = linear.traction();
+        }
+        let of_dof = &plan.constraints.dof_of_equation;
+        let moves = |equation: usize| !plan.dofs.name(of_dof[equation]).1.is_rotation();
+        if let Some(factors) = self.secants.factors(moves) {
+            self.secants.turn(&factors, &mut self.correction);
+            for place in 0..self.points.len() {
+                let of = self.points[place].place;
+                let (pressure, traction) = self.secants.change(&factors, of);
+                self.points[place].move_by(pressure, traction);
+            }
+        }
+        let last = self.secants.used - 1;
+        self.secants.all[last].way.clone_from(&self.correction);
+    }
+}
