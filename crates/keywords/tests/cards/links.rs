@@ -160,6 +160,23 @@ fn bolts_are_cut() {
     }
 }
 
+/// Requirement: a coupling in a part names axes of that part, and every instance has its own.
+#[test]
+fn couplings_of_parts_have_axes_of_parts() {
+    let text = "*PART, NAME=P\n*NODE\n1, 0., 0.\n2, 1., 0.\n3, 1., 1.\n4, 0., 1.\n9, 2., 0.5\n\
+        *ELEMENT, TYPE=CPS4, ELSET=E\n1, 1, 2, 3, 4\n*SOLID SECTION, ELSET=E, MATERIAL=M\n1.\n\
+        *SURFACE, NAME=SIDE\n1, S2\n*ORIENTATION, NAME=O\n0.6, 0.8, 0., -0.8, 0.6, 0.\n\
+        *COUPLING, REF NODE=9, SURFACE=SIDE, CONSTRAINT NAME=K, ORIENTATION=O\n*KINEMATIC\n1, 1\n*END PART\n\
+        *ASSEMBLY, NAME=A\n*INSTANCE, NAME=I, PART=P\n*END INSTANCE\n*INSTANCE, NAME=J, PART=P\n5., 0., 0.\n\
+        *END INSTANCE\n*END ASSEMBLY\n*MATERIAL, NAME=M\n*ELASTIC\n1000., 0.3\n";
+    let text =
+        format!("{text}*STEP, NLGEOM=NO\n*STATIC\n*BOUNDARY\nI.1, 1, 2\nJ.1, 1, 2\n*END STEP\n");
+    let model = model(&text, A);
+    assert!(model.linear_constraints.len() == 4);
+    let turned = |own: &slideline_model::LinearConstraint| own.terms.len() > 1;
+    assert!(model.linear_constraints.iter().all(turned), "{:?}", model.linear_constraints);
+}
+
 /// Requirement: shapes are kept by equations that every rigid motion fulfils, and a node that leaves
 /// the shape does not; with NLGEOM they are kept in large motion, on nodes without own axes.
 /// Source: docs/theory.md eqs (4.13), (4.14), (4.16), (4.17).

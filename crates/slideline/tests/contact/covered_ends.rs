@@ -13,8 +13,9 @@
 use crate::mortar_decks::{Block, Kind, Last};
 use crate::space_decks;
 use slideline::observe::Ending;
-use slideline::{Job, ReadOptions, SolveOptions, TangentCheck, solve};
+use slideline::{Event, Job, Observer, ReadOptions, SolveOptions, Stop, TangentCheck, solve};
 use std::fmt::Write as _;
+use std::ops::ControlFlow;
 
 /// A block of that width upon another one that ends at x = 2.
 #[derive(Clone, Copy, Debug)]
@@ -203,5 +204,38 @@ fn corners_slide_over_faces_in_space() {
         let last = space_decks::checked(&over_corner(friction, upper_is_slave));
         assert!(last.off < 2e-6, "{friction} {upper_is_slave} {:e} {}", last.off, last.told);
         assert!(last.worst < 1e-10, "{friction} {upper_is_slave} {:e}", last.worst);
+    }
+}
+
+/// The force of the pressures of a pair by its rows, and that of the pair.
+#[derive(Default)]
+struct Forces {
+    by_rows: f64,
+    of_pair: f64,
+}
+
+impl Observer for Forces {
+    fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
+        if let Event::Committed(frame) = event {
+            self.by_rows = frame.contact.iter().map(|row| row.pressure * row.area).sum();
+            let of_pressure = frame.pairs[0].of_pressure.force;
+            self.of_pair = of_pressure.iter().map(|x| x * x).sum::<f64>().sqrt();
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// Requirement: what is told of slave nodes is pressure and the area that it acts on: their products are the force of
+/// the pair, also where slave faces are covered in part, in the plane and in space. Flat faces, 1e-3.
+#[test]
+fn pressures_by_their_areas_are_the_force() {
+    let upright = OverEnd { way: [0.0, -0.05], sides: [TOP, BOTTOM], ..BLOCKS };
+    for deck in [upright.deck(4), over_corner(0.0, false).replace("1, 1, -0.3", "1, 1, 0.0")] {
+        let read = Job::read_text("areas", &deck, &ReadOptions::default());
+        let mut forces = Forces::default();
+        let ending = solve(&read.model.unwrap(), &SolveOptions::default(), &mut forces);
+        assert!(matches!(ending, Ending::Completed(_)), "{ending:?}");
+        let Forces { by_rows, of_pair } = forces;
+        assert!(of_pair > 1.0 && (by_rows / of_pair - 1.0).abs() < 5e-3, "{by_rows} {of_pair}");
     }
 }

@@ -194,3 +194,37 @@ fn faces_that_were_meant_to_be_two_are_not_reported() {
     let two_steps = format!("{deck}*STEP, NLGEOM\n*STATIC\n1.0, 1.0\n{removed}\n");
     assert!(!found(&two_steps));
 }
+
+/// Requirement: how far slaves stand along their master is asked of the places of both, whatever the formulation, and a
+/// master is too short only where all slaves that are about as near go beyond its end: a block in the middle of a base
+/// is drawn to either side, upon it and off its end. Source: closed form.
+#[test]
+fn strokes_along_masters_of_solids() {
+    let deck = |form: &str, way: f64| {
+        let mut base = String::from("*NODE\n");
+        (0..=20).for_each(|k| base += &format!("{}, {k}., 0.\n{}, {k}., 2.\n", 1 + k, 101 + k));
+        base += "*ELEMENT, TYPE=CPE4, ELSET=BASE\n";
+        (0..20).for_each(|k| {
+            base += &format!("{}, {}, {}, {}, {}\n", 1 + k, 1 + k, 2 + k, 102 + k, 101 + k)
+        });
+        format!(
+            "{base}*NODE\n201, 9., 2.\n202, 11., 2.\n203, 11., 3.\n204, 9., 3.\n300, 10., 4.\n*ELEMENT, TYPE=CPE4, ELSET=UP\n\
+             51, 201, 202, 203, 204\n*NSET, NSET=TOP\n203, 204\n*RIGID BODY, REF NODE=300, TIE NSET=TOP\n\
+             *NSET, NSET=FIX, GENERATE\n1, 21\n*SOLID SECTION, ELSET=BASE, MATERIAL=M\n*SOLID SECTION, ELSET=UP, MATERIAL=M\n\
+             *MATERIAL, NAME=M\n*ELASTIC\n1000., 0.3\n*SURFACE, NAME=B\nBASE, S3\n*SURFACE, NAME=U\nUP, S1\n\
+             *SURFACE INTERACTION, NAME=I\n*CONTACT PAIR, INTERACTION=I, TYPE={form}\nU, B\n*BOUNDARY\nFIX, 1, 2\n300, 6\n\
+             *STEP, NLGEOM, INC=500\n*STATIC\n0.05, 1.\n*CLOAD\n300, 2, -5.\n*BOUNDARY\n300, 1, 1, {way:?}\n*END STEP\n"
+        )
+    };
+    for form in ["SURFACE TO SURFACE", "NODE TO SURFACE"] {
+        for (way, short) in
+            [(-4.0, false), (4.0, false), (9.5, false), (-9.5, false), (13.0, true), (-13.0, true)]
+        {
+            let read = Job::read_text("stroke", &deck(form, way), &ReadOptions::default());
+            assert!(read.model.is_some(), "{:#?}", read.diagnostics);
+            let said = advise(&read);
+            let found = said.iter().any(|own| own.code.0 == "SL0408");
+            assert_eq!(found, short, "{form} {way} {said:#?}");
+        }
+    }
+}

@@ -188,6 +188,31 @@ fn a_bolt_is_drawn_together() {
     }
 }
 
+/// Requirement: nodes that a cut adds are as warm as those that they stand for: a bolt that is free to grow, its
+/// section held at zero, grows by alpha T l without a force, with *TEMPERATURE and from *INITIAL CONDITIONS on.
+/// Closed form, 1e-12.
+#[test]
+fn a_heated_bolt_grows_as_a_whole() {
+    let law = "*MATERIAL, NAME=X\n*ELASTIC\n1000., 0.\n*EXPANSION\n1e-3\n*NSET, NSET=ALL\n1, 2, 3, 11, 12, 13\n";
+    let solids = "*ELEMENT, TYPE=CPS4, ELSET=E\n1, 1, 2, 12, 11\n2, 2, 3, 13, 12\n\
+        *SOLID SECTION, ELSET=E, MATERIAL=X\n3.\n*SURFACE, NAME=CUT\n1, S2\n";
+    let beams = "*ELEMENT, TYPE=B21, ELSET=E\n1, 1, 2\n2, 2, 3\n\
+        *BEAM SECTION, SECTION=RECT, ELSET=E, MATERIAL=X\n3., 2.\n";
+    let of_solids = (solids, "1, 1, 2\n11, 1\n", "SURFACE=CUT");
+    let of_beams = (beams, "1, 1, 6\n", "ELEMENT=1");
+    for ((parts, held, cut), initial) in [(of_solids, false), (of_beams, false), (of_solids, true)]
+    {
+        let start = if initial { "*INITIAL CONDITIONS, TYPE=TEMPERATURE\nALL, 7.\n" } else { "" };
+        let parts = format!("{law}{parts}{start}");
+        let step =
+            "*STEP\n*STATIC\n1., 1.\n*BOUNDARY\n100, 1, 1\n*TEMPERATURE\nALL, 10.\n*END STEP\n";
+        let end = bolt(&parts, held, cut, step);
+        let grown = if initial { 20.0 * 1e-3 * 3.0 } else { 20.0 * 1e-3 * 10.0 };
+        assert!((end.motion(3)[0] - grown).abs() < 1e-12, "{cut} {:?}", end.motion(3));
+        assert!(end.reaction(100)[0].abs() < 1e-9, "{cut} {:?}", end.reaction(100));
+    }
+}
+
 /// Requirement: the sides of a cut are one part and the cut is within it: neither general contact
 /// nor a surface that stands for the outside makes contact of the one side with the other, which
 /// move into one another as the bolt is drawn together.

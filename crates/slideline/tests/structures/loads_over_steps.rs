@@ -430,3 +430,45 @@ fn numbered_pressures_of_calculix() {
     });
     none(&faults.into_iter().flatten().collect::<Vec<_>>());
 }
+
+/// Requirement: `VALUE=ABSOLUTE` gives the values themselves, of loads and motions, and the numbers on the lines do
+/// not count; in the dialect of CalculiX all amplitudes are factors. Source: Abaqus manual, `*AMPLITUDE`. 1e-9.
+#[test]
+fn absolute_amplitudes_stand_for_the_numbers() {
+    let curve = "*AMPLITUDE, NAME=ABS, VALUE=ABSOLUTE\n0., 0., 1., 3.\n";
+    let mut faults = Vec::new();
+    for (dialect, factor) in [(Dialect::Abaqus, 1.0), (Dialect::Calculix, 4.0)] {
+        let motion = |p: &str, size: Option<f64>| card("*BOUNDARY", p, size, &["9, 1, 1, "], "");
+        let families =
+            FAMILIES.into_iter().chain([("motion", motion as fn(&str, Option<f64>) -> String)]);
+        for (name, family) in families {
+            let own = unit(&family("", Some(1.0)), dialect);
+            let cards = curve.to_owned() + &family(", AMPLITUDE=ABS", Some(4.0));
+            for row in run(&step(1.0, "", &cards), dialect) {
+                faults.extend(fault(&row, &[(3.0 * factor * row.time, &own)], name));
+            }
+        }
+    }
+    none(&faults);
+}
+
+/// Requirement: what `OP=NEW` drops of supports lets go over the step, and in the dialect of CalculiX when the step
+/// begins. Source: docs/theory.md section 9; ccx 2.20. 1e-9.
+#[test]
+fn supports_that_are_dropped_let_go() {
+    let held = "*BOUNDARY, OP=NEW\n1, 1, 2\n4, 1\n7, 1\n2, 2\n3, 2\n";
+    let steps = step(1.0, "", "*BOUNDARY\n9, 1, 1, 0.01\n") + &step(1.0, "", held);
+    for (dialect, left) in [(Dialect::Abaqus, [0.5, 0.0]), (Dialect::Calculix, [0.0, 0.0])] {
+        let rows = run(&steps, dialect);
+        let moved = |row: &Row| row.motion[16];
+        assert!((moved(&rows[1]) - 0.01).abs() < 1e-15);
+        for (row, left) in rows[2..].iter().zip(left) {
+            assert!(
+                (moved(row) - 0.01 * left).abs() < 1e-11,
+                "{dialect:?} {} {}",
+                row.time,
+                moved(row)
+            );
+        }
+    }
+}

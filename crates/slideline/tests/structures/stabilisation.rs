@@ -179,6 +179,51 @@ fn a_body_that_only_open_contact_holds_is_stabilised_and_told() {
     }
 }
 
+/// Requirement: an equation to a node that is held is a support of its dof and of no other: what it leaves free is
+/// stabilised, as with the support.
+#[test]
+fn equations_to_a_held_node_are_supports() {
+    let asked = corpus("keywords/contact_controls_stabilize.inp");
+    let by_support = asked.replace("*CONTACT CONTROLS, STABILIZE\n", "");
+    let by_equation = by_support
+        .replace("*STEP", "*EQUATION\n2\n1, 6, 1.0, 2, 6, -1.0\n*STEP")
+        .replace("1, 6\n2, 1, 6", "2, 1, 6");
+    let ends = [by_support, by_equation].map(|text| {
+        let mut watch = Watch::of(1);
+        let ending = run(&text, &mut watch);
+        assert!(matches!(ending, Ending::Completed(_)), "{ending:?} {:?}", watch.said);
+        assert_eq!(watch.codes(), ["SL0517", "SL0618"]);
+        *watch.rows.last().unwrap()
+    });
+    assert!((ends[0][0] - ends[1][0]).abs() < 1e-9, "{ends:?}");
+}
+
+/// Requirement: a block that floats above a floor, however far, with contact over its face, comes down upon it in one
+/// increment: the contact step closes the gap, although no row feels a stiffness but its own augmentation. The floor has
+/// EA/l = 3000, nu = 0: it yields by 2/3000.
+#[test]
+fn a_floating_block_comes_down() {
+    for (gap, form) in
+        [(0.03, "SURFACE TO SURFACE"), (0.5, "SURFACE TO SURFACE"), (0.5, "NODE TO SURFACE")]
+    {
+        let (foot, head) = (1.0 + gap, 2.0 + gap);
+        let text = format!(
+            "*NODE\n1, 0., 0.\n2, 3., 0.\n3, 3., 1.\n4, 0., 1.\n11, 0., {foot:?}\n12, 3., {foot:?}\n\
+             13, 3., {head:?}\n14, 0., {head:?}\n*ELEMENT, TYPE=CPE4, ELSET=E\n1, 1, 2, 3, 4\n2, 11, 12, 13, 14\n\
+             *SOLID SECTION, ELSET=E, MATERIAL=M\n1.\n*MATERIAL, NAME=M\n*ELASTIC\n1000., 0.\n\
+             *SURFACE, NAME=LOW\n1, S3\n*SURFACE, NAME=UP\n2, S1\n*SURFACE INTERACTION, NAME=I\n\
+             *CONTACT PAIR, INTERACTION=I, TYPE={form}\nUP, LOW\n*BOUNDARY\n1, 1, 2\n2, 1, 2\n3, 1\n4, 1\n11, 1\n\
+             14, 1\n*STEP, NLGEOM=NO\n*STATIC\n0.25, 1.\n*CLOAD\n13, 2, -1.\n14, 2, -1.\n*END STEP\n"
+        );
+        let mut watch = Watch::of(14);
+        let ending = run(&text, &mut watch);
+        assert!(matches!(ending, Ending::Completed(_)), "{form} {gap} {ending:?}");
+        let down = watch.rows.last().unwrap()[1];
+        assert!((down + gap + 4.0 / 3000.0).abs() < 1e-9, "{form} {gap} {down}");
+        assert_eq!(watch.rows.len(), 4, "{form} {gap}");
+    }
+}
+
 /// Requirement: nothing is stabilised unasked where contact was closed, or
 /// where no contact would oppose the motion; SL0503 says what moves.
 #[test]

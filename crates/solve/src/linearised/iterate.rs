@@ -23,7 +23,8 @@ const SHORTEST: f64 = 1e-3;
 
 impl LinearisedContact {
     /// Solves the condensed contact problem: by Newton with the stiffness that rows feel, with
-    /// their augmentations and without; where Newton is lost between the limits of
+    /// their augmentations, without, and with next to none, where signs of multipliers alone decide: of a
+    /// body that nothing but open contact holds no row may stay open; where Newton is lost between the limits of
     /// friction from the least energy for fixed limits, or among the
     /// active sets of a hard law from the set that a pivoting method finds.
     /// Says whether the laws of all rows are met.
@@ -34,13 +35,12 @@ impl LinearisedContact {
         self.begun.clone_from(&self.unknown);
         self.felt.clear();
         self.felt.extend(self.rows.iter().map(|row| row.kappa));
-        for row in &mut self.rows {
-            row.kappa = row.own.max(LEAST_OWN * row.kappa);
+        let own = |row: &Row| row.own.max(LEAST_OWN * row.kappa);
+        if self.newton_by(own, points, context) {
+            return true;
         }
-        let is_found = self.newton(points, context);
-        self.rows.iter_mut().zip(&self.felt).for_each(|(row, &felt)| row.kappa = felt);
-        // next to no stiffness makes an overclosure that nothing presses out look like rounding
-        if is_found && self.meets_laws(points, context) {
+        self.unknown.clone_from(&self.begun);
+        if self.newton_by(|row| LEAST_OWN * row.kappa, points, context) {
             return true;
         }
         self.unknown.clone_from(&self.begun);
@@ -57,6 +57,20 @@ impl LinearisedContact {
             }
         }
         false
+    }
+
+    /// Newton by other stiffnesses than those that rows feel; says whether the laws are met by these.
+    fn newton_by(
+        &mut self,
+        stiffness: impl Fn(&Row) -> f64,
+        points: &LinearPoints,
+        context: &LawContext<'_>,
+    ) -> bool {
+        self.rows.iter_mut().for_each(|row| row.kappa = stiffness(row));
+        let is_found = self.newton(points, context);
+        self.rows.iter_mut().zip(&self.felt).for_each(|(row, &felt)| row.kappa = felt);
+        // next to no stiffness makes an overclosure that nothing presses out look like rounding
+        is_found && self.meets_laws(points, context)
     }
 
     /// Semismooth Newton with backtracking; says whether it converged.

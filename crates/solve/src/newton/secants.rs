@@ -109,7 +109,10 @@ impl Secants {
     }
 
     /// The changes between iterations that have a factor, the newest first.
-    fn changes(&self, factors: &[f64; DEPTH]) -> impl Iterator<Item = (f64, &Iteration, &Iteration)> {
+    fn changes(
+        &self,
+        factors: &[f64; DEPTH],
+    ) -> impl Iterator<Item = (f64, &Iteration, &Iteration)> {
         let last = self.used - 1;
         let used = factors.iter().enumerate().filter(|own| *own.1 != 0.0);
         used.map(move |(k, &factor)| (factor, &self.all[last - k - 1], &self.all[last - k]))
