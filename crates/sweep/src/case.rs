@@ -83,7 +83,7 @@ impl<'a> Runner<'a> {
         let found = match self.deck.read(&settings) {
             Ok((model, said)) => {
                 let varied = self.varied(numbers, &settings);
-                self.run(&model, said, varied)?
+                self.run(&model, said, &varied)?
             }
             Err(said) => Err(said.first().map_or("SL0901", |said| said.code.0)),
         };
@@ -124,7 +124,7 @@ impl<'a> Runner<'a> {
         &mut self,
         model: &Model,
         mut said: Vec<Diagnostic>,
-        varied: (Vec<usize>, Vec<Varied>),
+        varied: &(Vec<usize>, Vec<Varied>),
     ) -> Option<Result<(), &'static str>> {
         if !self.room.history.begin(&self.study.curves, model) {
             return Some(Err(NO_NODE));
@@ -135,12 +135,12 @@ impl<'a> Runner<'a> {
         if self.differentiated.is_some() {
             self.room.history.differentiate(self.study.parameters.len());
         }
-        let ending = match self.in_room(model, &said, &varied) {
+        let ending = match self.in_room(model, &said, varied) {
             Some(ending) => ending,
             None => {
                 // another outline, such as another number of elements
                 self.room.workspace = Some(Workspace::new(&Plan::of(model), &self.options));
-                self.in_room(model, &said, &varied)?
+                self.in_room(model, &said, varied)?
             }
         };
         match ending {
