@@ -2,9 +2,8 @@
 
 /// Upper case, blanks inside removed: `Friction  Onset` is `FRICTIONONSET`.
 pub fn normalise(raw: &str) -> String {
-    if raw.is_ascii() {
-        let letters = raw.bytes().map(char::from).filter(|c| !c.is_whitespace());
-        return letters.map(|c| c.to_ascii_uppercase()).collect();
+    if raw.bytes().all(|letter| letter.is_ascii_graphic()) {
+        return raw.to_ascii_uppercase();
     }
     raw.chars().filter(|c| !c.is_whitespace()).flat_map(char::to_uppercase).collect()
 }

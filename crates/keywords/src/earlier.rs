@@ -8,11 +8,10 @@
 use slideline_deck::{Parsed, normalise};
 use slideline_diag::Span;
 
-use crate::keyword::Keyword;
 use crate::log::Log;
 use crate::overrides::Setting;
-use crate::reading::{Match, Reading, resolve};
-use crate::registry::REGISTRY;
+use crate::reading::{Match, Reading};
+use crate::registry::keyword_of;
 
 /// Cards that may stand before the first step of a deck that goes on.
 pub(crate) const MAY_FOLLOW: [&str; 5] = ["HEADING", "RESTART", "AMPLITUDE", "NSET", "ELSET"];
@@ -43,9 +42,8 @@ pub struct ReadRequest {
 /// The request of a deck that goes on from an earlier job; `None` for a deck
 /// that stands for itself.
 pub fn read_request(parsed: &Parsed) -> Option<ReadRequest> {
-    let names = |keyword: &&'static dyn Keyword| keyword.name();
     parsed.deck.cards.iter().find_map(|card| {
-        let found = resolve(&normalise(&card.keyword.raw), REGISTRY, names);
+        let found = keyword_of(&normalise(&card.keyword.raw));
         let (Match::Exact(keyword) | Match::Abbreviation(keyword)) = found else { return None };
         // What is wrong with the card is told when it is interpreted.
         let mut log = Log::default();

@@ -11,8 +11,8 @@ use crate::earlier::{Earlier, MAY_FOLLOW};
 use crate::keyword::Keyword;
 use crate::log::Log;
 use crate::overrides::{Overrides, Setting};
-use crate::reading::{Match, Reading, note_abbreviation, resolve};
-use crate::registry::REGISTRY;
+use crate::reading::{Match, Reading, note_abbreviation};
+use crate::registry::{REGISTRY, keyword_of};
 use crate::rule::Level;
 use crate::unsupported::{self, Other, Treatment};
 use crate::{finish, parameters, traps};
@@ -238,7 +238,7 @@ fn misplaced(
 fn find_keyword(card: &Card, draft: &mut Draft) -> Option<&'static dyn Keyword> {
     let word = &card.keyword;
     let name = normalise(&word.raw);
-    let found = resolve(&name, REGISTRY, |keyword| keyword.name());
+    let found = keyword_of(&name);
     if let Match::Exact(keyword) = found {
         return Some(keyword);
     }

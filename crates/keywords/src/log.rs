@@ -1,9 +1,8 @@
 //! Diagnostics while they are collected, and values read with their errors.
 
-use std::collections::HashSet;
-
 use slideline_deck::{DataLine, Field, integer, normalise, number, parse_integer};
 use slideline_diag::{Code, Diagnostic, Listing, Severity, Span};
+use slideline_model::NumberedSet;
 
 use crate::instances::Instances;
 pub(crate) use crate::instances::{MAX_LABEL, Target};
@@ -15,7 +14,7 @@ pub(crate) struct Log {
     errors: usize,
     /// Errors that leave nothing out.
     harmless: usize,
-    said: HashSet<String>,
+    said: NumberedSet<String>,
     /// Instances of parts, whose nodes and elements have names.
     pub instances: Instances,
     /// The deck has `*PARAMETER`, which has been said: values in `<...>` are

@@ -27,8 +27,8 @@ pub(crate) enum Match<T> {
 pub(crate) fn resolve<T: Copy>(word: &str, known: &[T], name: fn(&T) -> &'static str) -> Match<T> {
     // Known names are upper case; a deck of nothing but unknown words asks often.
     let letters = |entry: &T| name(entry).bytes().filter(|&byte| byte != b' ');
-    let first = word.bytes().next();
-    let mut alike = known.iter().filter(|entry| name(entry).bytes().next() == first);
+    let first = word.as_bytes().first();
+    let mut alike = known.iter().filter(|entry| name(entry).as_bytes().first() == first);
     if let Some(&exact) = alike.find(|entry| letters(entry).eq(word.bytes())) {
         return Match::Exact(exact);
     }
@@ -223,9 +223,12 @@ fn is_without_effect(word: &Word, keyword: Form) -> bool {
 /// spelling (which is an error, but read on with).
 fn find_rule(parameter: &Parameter, keyword: Form, log: &mut Log) -> Option<&'static Rule> {
     let rules = keyword.parameters;
-    let refs: Vec<&'static Rule> = rules.iter().collect();
     let word = &parameter.name;
     let name = normalise(&word.raw);
+    if let Some(exact) = rules.iter().find(|rule| rule.name == name) {
+        return Some(exact);
+    }
+    let refs: Vec<&'static Rule> = rules.iter().collect();
     let found = resolve(&name, &refs, |rule| rule.name);
     if !matches!(found, Match::Exact(_))
         && let Some(help) = crate::unsupported::parameter(keyword.name, &name)

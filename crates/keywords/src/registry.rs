@@ -1,6 +1,8 @@
 //! All keywords.
 
 use slideline_deck::normalise;
+use slideline_model::Numbered;
+use std::sync::LazyLock;
 
 use crate::cards::{
     allowable, amplitude, anisotropic_hyperelastic, assembly, beam_general_section, beam_section,
@@ -24,6 +26,16 @@ use crate::cards::{
 use crate::keyword::Keyword;
 use crate::reading::{Match, resolve};
 use crate::rule::{Level, Rule};
+
+/// The keyword that a normalised word stands for.
+pub(crate) fn keyword_of(word: &str) -> Match<&'static dyn Keyword> {
+    static BY_NAME: LazyLock<Numbered<String, &'static dyn Keyword>> =
+        LazyLock::new(|| REGISTRY.iter().map(|&own| (normalise(own.name()), own)).collect());
+    match BY_NAME.get(word) {
+        Some(&keyword) => Match::Exact(keyword),
+        None => resolve(word, REGISTRY, |keyword| keyword.name()),
+    }
+}
 
 /// One line for each keyword, in the order of a deck.
 pub(crate) const REGISTRY: &[&'static dyn Keyword] = &[

@@ -22,7 +22,7 @@ use slideline_diag::{Code, Diagnostic, Span};
 use crate::keyword::Keyword;
 use crate::log::Log;
 use crate::reading::{Match, resolve};
-use crate::registry::REGISTRY;
+use crate::registry::keyword_of;
 use crate::rule::{Rule, Takes};
 
 /// Keywords that no data line follows: a comment that spells one hides
@@ -81,8 +81,7 @@ fn hidden_card(comment: &Comment, number: usize, owner: &Card) -> Option<Card> {
     }
     let card = comment_as_card(comment)?;
     let name = normalise(&card.keyword.raw);
-    let exact = |keyword: &&&dyn Keyword| normalise(keyword.name()) == name;
-    let keyword = *REGISTRY.iter().find(exact)?;
+    let Match::Exact(keyword) = keyword_of(&name) else { return None };
     let owner_name = normalise(&owner.keyword.raw);
     let text_owner = ["HEADING", "STEP"].contains(&owner_name.as_str());
     if WITHOUT_DATA.contains(&keyword.name()) || owner_name == name || text_owner {
@@ -146,7 +145,7 @@ fn without_furniture<'d>(
     log: &mut Log,
 ) -> Cow<'d, Card> {
     let keyword = normalise(&card.keyword.raw);
-    let known = resolve(&keyword, REGISTRY, |keyword| keyword.name());
+    let known = keyword_of(&keyword);
     let (Match::Exact(keyword) | Match::Abbreviation(keyword)) = known else { return card };
     if matches!(keyword.name(), "HEADING" | "STEP" | "PARAMETER") {
         return card;

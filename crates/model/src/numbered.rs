@@ -1,15 +1,15 @@
-//! Maps whose keys are numbers: labels, places, dofs.
+//! Maps whose keys are numbers, such as labels, places, dofs, or names of a deck.
 //!
 //! A deck is read of tens of such maps, and the hash of the standard library, made against keys that
-//! an adversary chooses, costs more than all else that is done with an entry. Labels of a deck are
-//! its author's own.
+//! an adversary chooses, costs more than all else that is done with an entry. Labels and names of a
+//! deck are its author's own.
 
 use std::collections::{HashMap, HashSet};
 use std::hash::{BuildHasherDefault, Hasher};
 
-/// A map from numbers.
+/// A map from numbers or names.
 pub type Numbered<K, V> = HashMap<K, V, BuildHasherDefault<Mixed>>;
-/// A set of numbers.
+/// A set of numbers or names.
 pub type NumberedSet<K> = HashSet<K, BuildHasherDefault<Mixed>>;
 
 /// 2^64 over the golden ratio, odd: neighbours come to lie far apart (Knuth, The Art of Computer
@@ -26,7 +26,11 @@ impl Hasher for Mixed {
     }
 
     fn write(&mut self, bytes: &[u8]) {
-        bytes.iter().for_each(|&byte| self.write_u64(u64::from(byte)));
+        for part in bytes.chunks(8) {
+            let mut word = [0; 8];
+            word[..part.len()].copy_from_slice(part);
+            self.write_u64(u64::from_le_bytes(word));
+        }
     }
 
     #[inline]

@@ -12,13 +12,14 @@ use crate::contact::{ContactPair, Formulation};
 use crate::element::block::{Element, ElementBlock};
 use crate::model::Model;
 use crate::node::{Dof, NodeIndex, RigidLink};
+use crate::numbered::{Numbered, NumberedSet};
 use crate::presence::ElementIndex;
 use crate::step::{Prescribed, Step};
 use crate::surface::Master;
 use slideline_mech::axes::Axes;
 use slideline_mech::surface::mirror::across;
 use slideline_mech::vector::{Vector, dot, scale, size, sub};
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 /// Distance from a plane up to which a node lies in it, over the size of the model [1]: decks are written with a few
 /// digits.
@@ -50,13 +51,13 @@ impl SymmetryPlane {
 struct Held<'a> {
     model: &'a Model,
     /// Unit vectors, each node's across one another [1].
-    directions: HashMap<NodeIndex, Vec<Vector>>,
+    directions: Numbered<NodeIndex, Vec<Vector>>,
     /// The same of those in which they move in some step as they are told, or not at all.
-    told: HashMap<NodeIndex, Vec<Vector>>,
+    told: Numbered<NodeIndex, Vec<Vector>>,
     /// Nodes that do not turn in any step.
-    still: HashSet<NodeIndex>,
+    still: NumberedSet<NodeIndex>,
     /// What hangs on rigid links.
-    links: HashMap<NodeIndex, &'a RigidLink>,
+    links: Numbered<NodeIndex, &'a RigidLink>,
     /// Nodes of elements, each once.
     nodes: Vec<NodeIndex>,
     /// Length of the box about these [L].
@@ -74,8 +75,12 @@ impl Model {
         {
             return Vec::new();
         }
+        let ends: Vec<Vec<NodeIndex>> = pairs.map(ends_of_master).collect();
+        if ends.iter().all(Vec::is_empty) {
+            return vec![Vec::new(); ends.len()];
+        }
         let held = Held::new(self);
-        pairs.map(|pair| held.planes(&ends_of_master(pair))).collect()
+        ends.iter().map(|ends| held.planes(ends)).collect()
     }
 }
 
@@ -181,7 +186,7 @@ impl<'a> Held<'a> {
     /// Whether the model ends in a plane as a half of something symmetric does.
     fn ends_in(&self, plane: &SymmetryPlane) -> bool {
         let place = |node: &NodeIndex| self.model.nodes.position(*node);
-        let inside: HashSet<_> =
+        let inside: NumberedSet<_> =
             self.nodes.iter().copied().filter(|node| plane.holds(place(node))).collect();
         let is_axis = inside.iter().all(|&node| self.is_on_axis(node));
         if self.model.is_of_rings() && !is_axis && dot(plane.normal, AXIS).abs() > SAME {
@@ -242,7 +247,7 @@ fn parts(model: &Model) -> impl Iterator<Item = (&ElementBlock, Element<'_>)> {
 }
 
 /// Displacements and rotations of nodes.
-type Known = HashSet<(NodeIndex, Dof)>;
+type Known = NumberedSet<(NodeIndex, Dof)>;
 
 /// How what is known of two steps comes together.
 type Together = fn(&Known, &Known) -> Known;
@@ -263,7 +268,7 @@ fn is_still(own: &Prescribed) -> bool {
 }
 
 /// References of rigid bodies whose rotations are held at zero in every step.
-fn unturned(model: &Model) -> HashSet<NodeIndex> {
+fn unturned(model: &Model) -> NumberedSet<NodeIndex> {
     let all = if model.is_in_space() { &[Dof::UR1, Dof::UR2, Dof::UR3][..] } else { &[Dof::UR3] };
     let known = known(model, is_still, |one, other| one & other);
     let masters = model.rigid_links.iter().map(|link| link.master);
@@ -275,8 +280,8 @@ fn directions(
     model: &Model,
     counts: impl Fn(&Prescribed) -> bool,
     together: Together,
-) -> HashMap<NodeIndex, Vec<Vector>> {
-    let mut axes: HashMap<NodeIndex, Axes> = HashMap::new();
+) -> Numbered<NodeIndex, Vec<Vector>> {
+    let mut axes: Numbered<NodeIndex, Axes> = Numbered::default();
     for own in &model.transforms {
         let at = |node: NodeIndex| own.system.at(model.nodes.position(node));
         axes.extend(own.nodes.iter().map(|&node| (node, at(node))));
@@ -285,7 +290,7 @@ fn directions(
         Some(own) => own[dof as usize],
         None => std::array::from_fn(|axis| f64::from(axis == dof as usize)),
     };
-    let mut found: HashMap<NodeIndex, Vec<Vector>> = HashMap::new();
+    let mut found: Numbered<NodeIndex, Vec<Vector>> = Numbered::default();
     let held = held(model, counts, together);
     for &(node, dof) in &held {
         add(found.entry(node).or_default(), along(node, dof));
@@ -328,7 +333,7 @@ fn held(
     together: Together,
 ) -> Vec<(NodeIndex, Dof)> {
     let mut known = known(model, counts, together);
-    let mut listed = HashSet::new();
+    let mut listed = NumberedSet::default();
     let steps = model.steps.iter().flat_map(|step| &step.prescribed);
     let steps = steps.map(|own| (own.node, own.dof));
     let mut all: Vec<_> = steps.filter(|own| known.contains(own) && listed.insert(*own)).collect();

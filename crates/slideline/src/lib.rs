@@ -57,7 +57,7 @@ pub use slideline_output as output;
 pub use slideline_solve::{Checkpoint, resume, run as solve, run_from};
 pub use slideline_solve::{Enforcement, Options as SolveOptions, TangentCheck, observe};
 pub use slideline_solve::{LinearSystems, linalg};
-pub use slideline_solve::{Parameter, SensitivityFault};
+pub use slideline_solve::{Parameter, SensitivityFault, Varied};
 pub use slideline_solve::{Part, Plan, PlanMismatch, Workspace};
 pub use slideline_solve::{UserFrictions, friction};
 

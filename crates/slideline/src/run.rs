@@ -61,11 +61,12 @@ impl Observer for Quiet {
 /// without any text leaves nothing.
 pub fn run(read: &Read, options: &RunOptions, observer: &mut dyn Observer) -> Outcome {
     let files = read.job.files(options.folder.as_deref());
-    let by = (&options.solve.user_frictions, options.restart);
-    let chosen = match Chosen::wanted(read, options.sensitivities, by) {
+    let by = (&options.solve, options.restart);
+    let mut chosen = match Chosen::wanted(read, options.sensitivities, by) {
         Ok(chosen) => chosen,
         Err(said) => return ended(Status::InputError, files, vec![*said], None),
     };
+    let differentiated = chosen.run.take();
     let facts = facts(read, options, &chosen);
     if let Some(said) = would_destroy(read, &files).or_else(|| runs_already(&files)) {
         return ended(Status::InputError, files, vec![said], None);
@@ -97,10 +98,10 @@ pub fn run(read: &Read, options: &RunOptions, observer: &mut dyn Observer) -> Ou
     let dropped_work = from.map_or(0.0, |from| from.energy().dropped_friction);
     let mut watch = Watch::new(writers, observer, model, dropped_work);
     watch.tell_all(&chosen.said);
-    let ending = match from {
-        None if !chosen.names.is_empty() => chosen.run(model, &options.solve, &mut watch),
-        None => Some(slideline_solve::run(model, &options.solve, &mut watch)),
-        Some(from) => slideline_solve::run_from(model, &options.solve, from, &mut watch),
+    let ending = match (from, differentiated) {
+        (None, Some(own)) => own.run((model, &chosen.names), &mut watch),
+        (None, None) => Some(slideline_solve::run(model, &options.solve, &mut watch)),
+        (Some(from), _) => slideline_solve::run_from(model, &options.solve, from, &mut watch),
     };
     match ending {
         Some(ending) => watch.outcome(&ending),

@@ -7,27 +7,43 @@ use slideline_diag::{Code, Diagnostic};
 use slideline_keywords::Setting;
 use slideline_model::Model;
 use slideline_solve::observe::{Ending, Observer};
-use slideline_solve::{Options, Parameter, Plan, UserFrictions, Workspace, sensitivity_fault};
+use slideline_solve::{Options, Plan, Varied, Workspace};
 use std::sync::Arc;
 
 /// Parameters that a run can be differentiated by, and what is to be said of the others.
 pub(crate) struct Chosen {
-    parameters: Vec<Parameter>,
+    /// The run that they differentiate, where there are some.
+    pub run: Option<Differentiated>,
     pub names: Vec<String>,
     pub said: Vec<Diagnostic>,
+}
+
+/// A run with its sensitivities: where it is made, and what it is differentiated by.
+pub(crate) struct Differentiated(Workspace, Varied);
+
+impl Differentiated {
+    /// Runs the model that the parameters of these names were chosen for; `None`: they are none of it.
+    pub fn run(
+        self,
+        (model, names): (&Model, &[String]),
+        observer: &mut dyn Observer,
+    ) -> Option<Ending> {
+        let Self(mut workspace, varied) = self;
+        workspace.run_varied(model, varied, &mut Lost::new(names, observer)).ok()
+    }
 }
 
 impl Chosen {
     /// None: the run is not differentiated.
     fn none() -> Self {
-        Self { parameters: Vec::new(), names: Vec::new(), said: Vec::new() }
+        Self { run: None, names: Vec::new(), said: Vec::new() }
     }
 
     /// Those of a deck that was read, where they are wanted; `Err`: as [`Chosen::of`].
     pub fn wanted(
         read: &Read,
         wanted: bool,
-        by: (&UserFrictions, bool),
+        by: (&Options, bool),
     ) -> Result<Self, Box<Diagnostic>> {
         match &read.model {
             Some(model) if wanted => Self::of(read, model, by),
@@ -35,24 +51,12 @@ impl Chosen {
         }
     }
 
-    /// Runs a model with its sensitivities; `None`: the parameters are none of the model.
-    pub fn run(
-        &self,
-        model: &Model,
-        options: &Options,
-        observer: &mut dyn Observer,
-    ) -> Option<Ending> {
-        let mut workspace = Workspace::new(&Plan::of(model), options);
-        let mut watch = Lost::new(&self.names, observer);
-        workspace.run_differentiated(model, &self.parameters, &mut watch).ok()?.ok()
-    }
-
     /// The numbers of a deck that was read. `Err`: there are none, or the run goes on from a saved
     /// state, which does not know its derivatives.
     fn of(
         read: &Read,
         model: &Model,
-        (users, restarts): (&UserFrictions, bool),
+        (options, restarts): (&Options, bool),
     ) -> Result<Self, Box<Diagnostic>> {
         if restarts || read.from.is_some() {
             let message = "no sensitivities: the run continues from a saved state, which does not \
@@ -74,25 +78,18 @@ impl Chosen {
                         <mu> where they stand.";
             return Err(refused(message, help));
         }
-        let plan = Plan::of(model);
-        let mut chosen = Self::none();
-        for parameter in deck.varied(&settings, &numbers) {
-            match sensitivity_fault(&parameter, (&plan, model), users) {
-                None => {
-                    chosen.names.push(parameter.name.clone());
-                    chosen.parameters.push(parameter);
-                }
-                Some(fault) => {
-                    let message = format!("no sensitivities by {}: {fault}", parameter.name);
-                    let said = Diagnostic::warning(Code("SL0811"), message);
-                    chosen.said.push(said.help(
-                        "only numbers that may change a little have sensitivities: sizes, places, \
-                         materials, friction, motions and loads, but no counts and no times",
-                    ));
-                }
-            }
-        }
-        if chosen.parameters.is_empty() {
+        let (plan, parameters) = (Plan::of(model), deck.varied(&settings, &numbers));
+        let (varied, faults) = Varied::of(&parameters, (&plan, model), &options.user_frictions);
+        let names: Vec<String> = varied.names().map(str::to_owned).collect();
+        let said = faults.iter().map(|fault| {
+            let message = format!("no sensitivities by {}: {fault}", fault.parameter());
+            Diagnostic::warning(Code("SL0811"), message).help(
+                "only numbers that may change a little have sensitivities: sizes, places, \
+                 materials, friction, motions and loads, but no counts and no times",
+            )
+        });
+        let said = said.collect();
+        if names.is_empty() {
             let message = "no sensitivities: no parameter of the deck may change a little";
             let names: Vec<&str> = numbers.iter().map(|(name, _)| name.as_str()).collect();
             let help = format!(
@@ -102,7 +99,8 @@ impl Chosen {
             );
             return Err(refused(message, &help));
         }
-        Ok(chosen)
+        let run = Differentiated(Workspace::new(&plan, options), varied);
+        Ok(Self { run: Some(run), names, said })
     }
 }
 

@@ -65,7 +65,7 @@ pub use linear_systems::LinearSystems;
 pub use memory::objection as memory_objection;
 pub use plan::{Part, Plan, PlanMismatch};
 pub use run::{Options, TangentCheck, resume, run, run_from};
-pub use sensitivity::{Parameter, SensitivityFault, sensitivity_fault};
+pub use sensitivity::{Parameter, SensitivityFault, Varied};
 pub use slideline_linalg as linalg;
 pub use slideline_mech::contact::enforcement::Enforcement;
 pub use slideline_mech::contact::friction;

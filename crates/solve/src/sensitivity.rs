@@ -29,4 +29,4 @@ pub use parameter::{Parameter, SensitivityFault};
 pub use stencil::{OFFSETS, PAIR, Side, Sides, Weights};
 pub use touched::{Touch, Touched};
 pub use tries::{Tries, Try};
-pub use varied::{Varied, sensitivity_fault};
+pub use varied::Varied;

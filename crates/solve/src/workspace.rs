@@ -16,7 +16,7 @@ use crate::plan::{Plan, PlanMismatch};
 use crate::problem::Means;
 use crate::run::analysis::{Analysis, Room};
 use crate::run::options::Options;
-use crate::sensitivity::{Parameter, SensitivityFault, Varied, sensitivity_fault};
+use crate::sensitivity::{Parameter, SensitivityFault, Varied};
 use crate::values::Values;
 use rayon::ThreadPool;
 use slideline_model::Model;
@@ -74,19 +74,45 @@ impl Workspace {
         parameters: &[Parameter],
         observer: &mut dyn Observer,
     ) -> Result<Result<Ending, PlanMismatch>, SensitivityFault> {
-        let users = &self.options.user_frictions;
-        let mut varied = Varied::new(parameters, (&self.plan, model), users)?;
-        let of = (model, Some(&mut varied));
-        Ok(self.analyse(of, observer, |mut analysis, scratch| analysis.steps(scratch)))
+        match self.varied(model, parameters) {
+            Ok((varied, faults)) => match faults.into_iter().next() {
+                Some(fault) => Err(fault),
+                None => Ok(self.run_varied(model, varied, observer)),
+            },
+            Err(mismatch) => Ok(Err(mismatch)),
+        }
     }
 
-    /// Why the model has no derivative by a parameter, if it has none.
-    pub fn sensitivity_fault(
+    /// What a run of the model is to be differentiated by: those of these parameters that it has
+    /// derivatives by, and why it has none by the others. The models beside it are read here, so that
+    /// [`run_varied`](Self::run_varied) reads none of them again.
+    ///
+    /// # Errors
+    /// A model that is not of the outline of the plan.
+    pub fn varied(
         &self,
         model: &Model,
-        parameter: &Parameter,
-    ) -> Option<SensitivityFault> {
-        sensitivity_fault(parameter, (&self.plan, model), &self.options.user_frictions)
+        parameters: &[Parameter],
+    ) -> Result<(Varied, Vec<SensitivityFault>), PlanMismatch> {
+        match self.plan.mismatch(model) {
+            Some(mismatch) => Err(mismatch),
+            None => Ok(Varied::of(parameters, (&self.plan, model), &self.options.user_frictions)),
+        }
+    }
+
+    /// A differentiated run by what [`varied`](Self::varied) gave for the same model.
+    ///
+    /// # Errors
+    /// A model that is not of the outline of the plan. Nothing was told.
+    pub fn run_varied(
+        &mut self,
+        model: &Model,
+        mut varied: Varied,
+        observer: &mut dyn Observer,
+    ) -> Result<Ending, PlanMismatch> {
+        let is_varied = varied.names().len() > 0;
+        let of = (model, is_varied.then_some(&mut varied));
+        self.analyse(of, observer, |mut analysis, scratch| analysis.steps(scratch))
     }
 
     /// Goes on from a checkpoint of the model; see [`resume`](crate::resume) and

@@ -83,7 +83,7 @@ impl<'a> Runner<'a> {
         let found = match self.deck.read(&settings) {
             Ok((model, said)) => {
                 let varied = self.varied(numbers, &settings);
-                self.run(&model, said, varied)?
+                self.run(&model, said, &varied)?
             }
             Err(said) => Err(said.first().map_or("SL0901", |said| said.code.0)),
         };
@@ -124,7 +124,7 @@ impl<'a> Runner<'a> {
         &mut self,
         model: &Model,
         mut said: Vec<Diagnostic>,
-        mut varied: (Vec<usize>, Vec<Varied>),
+        varied: &(Vec<usize>, Vec<Varied>),
     ) -> Option<Result<(), &'static str>> {
         if !self.room.history.begin(&self.study.curves, model) {
             return Some(Err(NO_NODE));
@@ -135,12 +135,12 @@ impl<'a> Runner<'a> {
         if self.differentiated.is_some() {
             self.room.history.differentiate(self.study.parameters.len());
         }
-        let ending = match self.in_room(model, &said, &mut varied) {
+        let ending = match self.in_room(model, &said, varied) {
             Some(ending) => ending,
             None => {
                 // another outline, such as another number of elements
                 self.room.workspace = Some(Workspace::new(&Plan::of(model), &self.options));
-                self.in_room(model, &said, &mut varied)?
+                self.in_room(model, &said, varied)?
             }
         };
         match ending {
@@ -155,7 +155,7 @@ impl<'a> Runner<'a> {
         &mut self,
         model: &Model,
         said: &[Diagnostic],
-        (places, varied): &mut (Vec<usize>, Vec<Varied>),
+        (places, varied): &(Vec<usize>, Vec<Varied>),
     ) -> Option<Ending> {
         let sources = Sources::default(); // no message is read
         let judges = self.study.watched > Watched::Curves;
@@ -166,18 +166,12 @@ impl<'a> Runner<'a> {
             return workspace.run(model, &mut Watch { history, by: &[], judge, stops }).ok();
         }
         // what the model cannot be differentiated by has no derivatives
-        let mut place = 0;
-        varied.retain(|own| {
-            let stays = workspace.sensitivity_fault(model, own).is_none();
-            if stays {
-                place += 1;
-            } else {
-                places.remove(place);
-            }
-            stays
-        });
-        let watch = &mut Watch { history, by: places, judge, stops };
-        workspace.run_differentiated(model, varied, watch).ok()?.ok()
+        let (mut by, (own, faults)) = (places.clone(), workspace.varied(model, varied).ok()?);
+        let is_fault = |name: &str| faults.iter().any(|fault| fault.parameter() == name);
+        let mut names = varied.iter().map(|own| &*own.name);
+        by.retain(|_| names.next().is_some_and(|name| !is_fault(name)));
+        let watch = &mut Watch { history, by: &by, judge, stops };
+        workspace.run_varied(model, own, watch).ok()
     }
 }
 

@@ -42,14 +42,11 @@ pub(crate) fn differentiated(
     let (model, said) = model(opened, values).map_err(|errors| first_error(&errors))?;
     let job = (opened.job(), &*opened.read.deck_hash, false);
     let judge = Judge::showing(&model, (&said, &opened.read.sources), job);
-    let mut varied: Vec<(usize, Parameter)> = Vec::new();
-    for (number, &place) in places.iter().enumerate() {
-        let own = parameter(opened, values, place);
-        if room.is_smooth(&model, &own) {
-            varied.push((number, own));
-        }
-    }
-    let (numbers, parameters): (Vec<usize>, Vec<Parameter>) = varied.into_iter().unzip();
+    let all: Vec<Parameter> =
+        places.iter().map(|&place| parameter(opened, values, place)).collect();
+    let varied = room.varied(&model, &all).ok_or(OVERTAKEN)?;
+    let has = |own: &Parameter| varied.names().any(|name| name == own.name);
+    let numbers: Vec<usize> = (0..all.len()).filter(|&number| has(&all[number])).collect();
     let courses = numbers.iter().map(|_| Course::default()).collect();
     let mut watch = Watch {
         silent: Silent::of(judge, &model, say),
@@ -58,7 +55,7 @@ pub(crate) fn differentiated(
         rows: 0,
         strained: None,
     };
-    let ending = room.run_differentiated(&model, &parameters, &mut watch);
+    let ending = room.run_varied(&model, varied, &mut watch);
     let Watch { silent, courses, rows, .. } = watch;
     match ending {
         Some(Ending::Completed(_)) => {}

@@ -18,7 +18,7 @@ use slideline::output::json::text;
 use slideline::output::report::Options;
 use slideline::{
     Diagnostic, Event, Judge, Model, Observer, Parameter, Plan, Severity, SolveOptions, Stop,
-    Workspace, objections,
+    Varied, Workspace, objections,
 };
 use std::ops::ControlFlow;
 
@@ -42,28 +42,21 @@ impl Room {
         self.made(model).run(model, observer).ok()
     }
 
-    /// The same with derivatives by parameters.
-    pub fn run_differentiated(
+    /// The same with derivatives by what [`Room::varied`] gave for the model.
+    pub fn run_varied(
         &mut self,
         model: &Model,
-        parameters: &[Parameter],
+        varied: Varied,
         observer: &mut dyn Observer,
     ) -> Option<Ending> {
-        if parameters.is_empty() {
-            return self.run(model, observer);
-        }
-        if let Some(workspace) = &mut self.0
-            && let Ok(Ok(ending)) = workspace.run_differentiated(model, parameters, observer)
-        {
-            return Some(ending);
-        }
-        self.made(model).run_differentiated(model, parameters, observer).ok()?.ok()
+        self.0.as_mut()?.run_varied(model, varied, observer).ok()
     }
 
-    /// Whether a model has derivatives by a parameter.
-    pub fn is_smooth(&mut self, model: &Model, parameter: &Parameter) -> bool {
-        let fault = |own: &mut Workspace| own.sensitivity_fault(model, parameter).is_none();
-        self.0.as_mut().is_some_and(fault) || fault(self.made(model))
+    /// What a model has derivatives by, of parameters.
+    pub fn varied(&mut self, model: &Model, parameters: &[Parameter]) -> Option<Varied> {
+        let known = self.0.as_ref().and_then(|own| own.varied(model, parameters).ok());
+        let found = known.or_else(|| self.made(model).varied(model, parameters).ok());
+        found.map(|(varied, _)| varied)
     }
 
     /// A new one.

@@ -112,3 +112,22 @@ fn gradients_of_a_study_are_those_of_differences() {
     }
     assert_eq!(all[2][place("d(count)/d(mu)")], "");
 }
+
+/// Requirement: a case whose outline is another one than that of the case before has its gradients.
+#[test]
+fn cases_of_another_outline_have_gradients() {
+    let folder = folder("outlines");
+    let beams = "*ELEMENT, TYPE=B21, ELSET=BEAMS\n";
+    let more = format!("50, 0.0, 0.2\n51, 0.0, 0.3\n{beams}3, 1, <top>\n");
+    std::fs::write(folder.join("job.inp"), deck("top = 50\n").replace(beams, &more)).unwrap();
+    let study = "deck = \"job.inp\"\ngradients = true\nparameters.mu = [0.3]\n\
+                 parameters.top = [50, 51, 50]\nresponses.force = \"peak(RF1@9)\"\n";
+    std::fs::write(folder.join("study.toml"), study).unwrap();
+    let output = slideline(&folder, &["sweep", "study.toml", "--quiet", "--out", "out", "--csv"]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let all = rows(&folder.join("out"), "study.csv");
+    let place = all[0].iter().position(|own| own == "d(force)/d(mu)").unwrap();
+    let found: Vec<f64> = all[1..].iter().map(|row| row[place].parse().unwrap()).collect();
+    assert_eq!(found.len(), 3);
+    assert!(found.iter().all(|own| *own == found[0] && *own != 0.0), "{found:?}");
+}

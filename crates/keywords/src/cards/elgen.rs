@@ -90,6 +90,7 @@ fn pattern(line: &DataLine, draft: &mut Draft) -> Option<Pattern> {
         }
         return None;
     };
+    draft.element_by_label.reserve(usize::try_from(total - 1).unwrap_or(0));
     Some(Pattern { master: draft.elements[index], rows, span: line.span })
 }
 

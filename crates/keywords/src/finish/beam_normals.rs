@@ -7,19 +7,17 @@
 //! ```
 //! docs/theory.md section 3.9.
 
-use std::collections::HashMap;
-
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_mech::element::space_beam::section_axes;
 use slideline_mech::vector::{add, cross, dot, scale, size, sub};
-use slideline_model::{ElementType, NodeIndex};
+use slideline_model::{ElementType, NodeIndex, Numbered};
 
 use crate::draft::{Body, Draft, Element, ElementKind, Normal, Section};
 use crate::rule::Subject;
 
 /// The normals at nodes of elements, by the place of the element in the draft.
 #[derive(Default)]
-pub(super) struct Normals(HashMap<(usize, NodeIndex), ([f64; 3], Span)>);
+pub(super) struct Normals(Numbered<(usize, NodeIndex), ([f64; 3], Span)>);
 
 impl Normals {
     /// Those of the cards; complains about what has no normal.
@@ -69,6 +67,9 @@ impl Normals {
         draft: &mut Draft,
     ) -> Option<Option<[f64; 3]>> {
         let Body::Beam { first_axis, .. } = section.body else { return Some(direction) };
+        if self.0.is_empty() {
+            return Some(direction);
+        }
         let given: Vec<_> = nodes.iter().map(|&node| self.0.get(&(index, node)).copied()).collect();
         let Some(&(_, origin)) = given.iter().flatten().next() else { return Some(direction) };
         let at: Vec<[f64; 3]> =

@@ -34,6 +34,10 @@ pub(super) fn parted(
     let mut parted = Vec::with_capacity(sections.len());
     for (section, found) in sections.iter().zip(named) {
         let Some(found) = found else { continue };
+        if sets.is_empty() {
+            parted.push((section.clone(), found));
+            continue;
+        }
         let mut parts: BTreeMap<Vec<bool>, Vec<usize>> = BTreeMap::new();
         for element in found {
             let of = sets.iter().map(|set| set.binary_search(&element).is_ok()).collect();

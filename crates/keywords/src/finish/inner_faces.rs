@@ -6,10 +6,10 @@
 //!   o-----o-----o
 //! ```
 
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::BTreeSet;
 
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::NodeIndex;
+use slideline_model::{NodeIndex, Numbered, NumberedSet};
 
 use super::faces::face_nodes;
 use crate::draft::{Draft, ElementKind};
@@ -64,10 +64,10 @@ fn named_faces(surface: &NamedSurface, draft: &mut Draft) -> Vec<(Named, Key)> {
 }
 
 /// The elements that have these faces.
-fn owners(faces: &[Vec<(Named, Key)>], draft: &Draft) -> HashMap<Key, Vec<usize>> {
+fn owners(faces: &[Vec<(Named, Key)>], draft: &Draft) -> Numbered<Key, Vec<usize>> {
     let keys = faces.iter().flatten().map(|(_, key)| key);
-    let nodes: HashSet<NodeIndex> = keys.clone().flatten().copied().collect();
-    let mut owners: HashMap<Key, Vec<usize>> = keys.map(|key| (key.clone(), Vec::new())).collect();
+    let nodes: NumberedSet<NodeIndex> = keys.clone().flatten().copied().collect();
+    let mut owners: Numbered<Key, Vec<usize>> = keys.map(|key| (key.clone(), Vec::new())).collect();
     for element in 0..draft.elements.len() {
         let ElementKind::Structural(row) = draft.elements[element].kind else { continue };
         for face in 0..row.cell.faces.len() {

@@ -89,6 +89,7 @@ fn one(link: &Link, turning: &NumberedSet<(NodeIndex, Dof)>, draft: &mut Draft) 
         draft.consequence(Subject::Links, error);
     }
     let [master] = *masters else { return };
+    draft.dependents.reserve(Dof::ALL.len() * nodes.len());
     for dependent in nodes {
         let label = draft.model.nodes.label(dependent);
         if dependent == master {

@@ -9,9 +9,8 @@ use crate::rule::Subject;
 /// Makes a node follow, unless it follows already.
 pub(super) fn tie(link: RigidLink, draft: &mut Draft) {
     let RigidLink { dependent, origin, .. } = link;
-    let own = |dof: &Dof| link.follows[*dof as usize];
-    let dofs: Vec<Dof> = Dof::ALL.into_iter().filter(own).collect();
-    let taken = dofs.iter().find_map(|&dof| draft.dependents.get(&(dependent, dof)).copied());
+    let dofs = || Dof::ALL.into_iter().filter(|&dof| link.follows[dof as usize]);
+    let taken = dofs().find_map(|dof| draft.dependents.get(&(dependent, dof)).copied());
     if let Some(first) = taken {
         let label = draft.model.nodes.label(dependent);
         let message = format!("node {label} is a dependent node twice");
@@ -19,6 +18,6 @@ pub(super) fn tie(link: RigidLink, draft: &mut Draft) {
         draft.consequence(Subject::Links, error.label(first, "linked here first"));
         return;
     }
-    draft.dependents.extend(dofs.into_iter().map(|dof| ((dependent, dof), origin)));
+    draft.dependents.extend(dofs().map(|dof| ((dependent, dof), origin)));
     draft.model.rigid_links.push(link);
 }

@@ -181,8 +181,9 @@ impl Elements {
     pub fn push(&mut self, label: u64, nodes: &[NodeIndex], origin: Span) {
         let Some(&last) = nodes.last() else { return };
         self.named.push((label, origin));
-        let filled = nodes.iter().copied().chain(std::iter::repeat(last));
-        self.nodes.extend(filled.take(self.width));
+        let end = self.nodes.len() + self.width;
+        self.nodes.extend_from_slice(&nodes[..nodes.len().min(self.width)]);
+        self.nodes.resize(end, last);
     }
 
     /// The label of each, to be changed.

@@ -70,15 +70,15 @@ impl Parts {
     fn new(model: &Model) -> Self {
         let part = joined(model);
         let mut known: Numbered<(NodeIndex, NodeIndex), usize> = Numbered::default();
-        let all = || sides(model);
-        all()
-            .for_each(|side| *known.entry(sorted(side[0], side[side.len() - 1])).or_default() += 1);
+        for (nodes, side) in sides(model) {
+            *known.entry(ends(nodes, side)).or_default() += 1;
+        }
         let (mut faces, mut places) = (Vec::new(), Numbered::default());
-        for side in all() {
-            let (first, last) = (side[0], side[side.len() - 1]);
+        for (nodes, side) in sides(model) {
+            let (first, last) = (nodes[side[0]], nodes[side[side.len() - 1]]);
             if known[&sorted(first, last)] == 1 {
                 side.windows(2).for_each(|own| {
-                    places.insert(sorted(own[0], own[1]), faces.len());
+                    places.insert(sorted(nodes[own[0]], nodes[own[1]]), faces.len());
                 });
                 places.insert(sorted(first, last), faces.len());
                 let ends = [first, last].map(|node| model.nodes.position(node));
@@ -138,17 +138,20 @@ fn left_after([a, b]: [Vector; 2], (from, along): (Vector, Vector)) -> Option<f6
     (way > 0.0 && (-BESIDE..=1.0 + BESIDE).contains(&at)).then_some(way)
 }
 
-/// The sides of all solids, with their part on the left.
-fn sides(model: &Model) -> impl Iterator<Item = Vec<NodeIndex>> + '_ {
+/// The sides of all solids, with their part on the left: nodes of the element, and places of those of
+/// the side among them.
+fn sides(model: &Model) -> impl Iterator<Item = (&[NodeIndex], &'static [usize])> {
     let is_solid = |kind| matches!(kind, Kinematics::Solid { .. });
     let blocks = model.blocks.iter().filter(move |block| is_solid(block.kind.kinematics));
     blocks.flat_map(|block| {
-        let of_element = |nodes: &[NodeIndex]| -> Vec<Vec<NodeIndex>> {
-            let faces = block.kind.cell.faces.iter();
-            faces.map(|face| face.iter().map(|&own| nodes[own]).collect()).collect()
-        };
-        block.elements.iter().flat_map(move |element| of_element(element.nodes))
+        let faces = block.kind.cell.faces;
+        block.elements.iter().flat_map(move |own| faces.iter().map(move |&face| (own.nodes, face)))
     })
+}
+
+/// The nodes at both ends of a side, the lower one first.
+fn ends(nodes: &[NodeIndex], side: &[usize]) -> (NodeIndex, NodeIndex) {
+    sorted(nodes[side[0]], nodes[side[side.len() - 1]])
 }
 
 /// Of every node one that stands for all that solids join it to.
@@ -161,9 +164,9 @@ fn joined(model: &Model) -> Vec<NodeIndex> {
         node
     }
     let mut above: Vec<NodeIndex> = (0..model.nodes.len()).collect();
-    for side in sides(model) {
+    for (nodes, side) in sides(model) {
         for own in side.windows(2) {
-            let [a, b] = [own[0], own[1]].map(|node| top(&mut above, node));
+            let [a, b] = [own[0], own[1]].map(|own| top(&mut above, nodes[own]));
             above[a.max(b)] = a.min(b);
         }
     }

@@ -45,7 +45,7 @@ pub struct Course {
     pub is_lost: bool,
 }
 
-/// All parameters of a run.
+/// All parameters of a run, each with the pair of models beside that of the run.
 #[derive(Debug)]
 pub struct Varied {
     /// The parameters.
@@ -55,19 +55,24 @@ pub struct Varied {
 }
 
 impl Varied {
-    /// The parameters of a model.
-    ///
-    /// # Errors
-    /// A parameter that the model cannot be differentiated by.
-    pub fn new(
+    /// Those of these parameters that a model can be differentiated by, and why it cannot by the
+    /// others.
+    pub fn of(
         parameters: &[Parameter],
         (plan, model): (&Plan, &Model),
         users: &UserFrictions,
-    ) -> Result<Self, SensitivityFault> {
+    ) -> (Self, Vec<SensitivityFault>) {
         let mut varied = Self { courses: Vec::new(), plan: plan.clone(), users: users.clone() };
+        let mut faults = Vec::new();
         for parameter in parameters {
             let parameter = parameter.clone();
-            let pairs = vec![pair(&parameter, BESIDE[0], (plan, model, users))?];
+            let pairs = match pair(&parameter, BESIDE[0], (plan, model, users)) {
+                Ok(own) => vec![own],
+                Err(fault) => {
+                    faults.push(fault);
+                    continue;
+                }
+            };
             varied.courses.push(Course {
                 parameter,
                 pairs,
@@ -81,7 +86,12 @@ impl Varied {
                 is_lost: false,
             });
         }
-        Ok(varied)
+        (varied, faults)
+    }
+
+    /// Names of the parameters.
+    pub fn names(&self) -> impl ExactSizeIterator<Item = &str> {
+        self.courses.iter().map(|own| &*own.parameter.name)
     }
 
     /// Makes the pair beside the base of that place; whether there is one.
@@ -131,15 +141,6 @@ fn pair(
         _ => None,
     };
     Ok((level, touched))
-}
-
-/// Why a model has no derivative by a parameter, if it has none.
-pub fn sensitivity_fault(
-    parameter: &Parameter,
-    (plan, model): (&Plan, &Model),
-    users: &UserFrictions,
-) -> Option<SensitivityFault> {
-    Varied::new(std::slice::from_ref(parameter), (plan, model), users).err()
 }
 
 impl Course {

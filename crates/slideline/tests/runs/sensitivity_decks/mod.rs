@@ -102,8 +102,9 @@ impl Varied {
             .collect();
         let mut seen = Seen { responses: self.responses.clone(), ..Seen::default() };
         let mut workspace = Workspace::new(&Plan::of(&model), &SolveOptions::default());
-        let ending = workspace.run_differentiated(&model, &parameters, &mut seen);
-        let ending = ending.unwrap().unwrap();
+        let (varied, faults) = workspace.varied(&model, &parameters).unwrap();
+        assert!(faults.is_empty(), "{faults:?}");
+        let ending = workspace.run_varied(&model, varied, &mut seen).unwrap();
         assert!(matches!(ending, slideline::observe::Ending::Completed(_)), "{ending:?}");
         assert_eq!(seen.rates.len(), self.names.len());
         seen.models = asked.iter().map(|own| own.load(Ordering::Relaxed)).collect();
