@@ -140,3 +140,50 @@ fn what_begins_deeper_than_a_part_is_thick_is_pressed_out() {
         assert_eq!(last_row(name, &deck)[4], "5", "{name}");
     }
 }
+
+/// A wall, or a thick ring, that overlaps the lip of a sleeve about it; of their surfaces the sides that touch, those that look
+/// away from one another, or all.
+fn wall_and_sleeve(kind: &str, surfaces: &str) -> String {
+    let [wall, of_wall] = grid(1, &[5.0, 8.0, 10.82], &[0.0, 1.5, 2.25, 3.0]);
+    let inside = [[0.75, 11.4], [1.15, 11.4], [2.25, 10.8], [3.35, 11.4], [8.95, 11.4]];
+    let [_, of_sleeve] = grid(101, &[0.0, 1.0, 2.0], &inside.map(|[y, _]| y));
+    let across = inside.iter().flat_map(|&[y, x]| [x, 0.5 * (x + 12.2), 12.2].map(|x| [x, y]));
+    let sleeve: String =
+        (101..).zip(across).map(|(node, [x, y])| format!("{node}, {x:?}, {y:?}\n")).collect();
+    let side = |of: &[usize], face: &str| -> String {
+        of.iter().map(|element| format!("{element}, {face}\n")).collect()
+    };
+    let [wall_side, sleeve_side] = match surfaces {
+        "sides" => [side(&[2, 4, 6], "S2"), side(&[101, 103, 105, 107], "S4")],
+        "backs" => [side(&[1, 3, 5], "S4"), side(&[102, 104, 106, 108], "S2")],
+        _ => ["WALL,\n".to_owned(), "SLEEVE,\n".to_owned()],
+    };
+    format!(
+        "*HEADING\nwall\n*NODE\n{wall}{sleeve}*ELEMENT, TYPE={kind}, ELSET=WALL\n{of_wall}\
+         *ELEMENT, TYPE={kind}, ELSET=SLEEVE\n{of_sleeve}*ELSET, ELSET=A\nWALL, SLEEVE\n{MATERIAL}\
+         *SURFACE, NAME=W\n{wall_side}*SURFACE, NAME=S\n{sleeve_side}\
+         *CONTACT PAIR, INTERACTION=I, TYPE=NODE TO SURFACE\nW, S\n\
+         *NSET, NSET=HELD\n2, 5, 8, 11, 102, 105, 108, 111, 114\n\
+         *BOUNDARY\nHELD, 1, 2\n*STEP, NLGEOM\n*STATIC\n1., 1.\n*END STEP\n"
+    )
+}
+
+/// Requirement: the back of a wall is not in what touches its front, deeper than both parts are thick: whole outlines press as
+/// the sides that touch do, and nothing is said of a part in the wrong place. Where backs alone are the surfaces, it is said.
+#[test]
+fn backs_of_parts_whose_fronts_touch_are_not_in_one_another() {
+    for kind in ["CPS4", "CAX4"] {
+        let [sides, outlines] = ["sides", "outlines"].map(|surfaces| {
+            let deck = wall_and_sleeve(kind, surfaces);
+            let said = slideline::advise(&Job::read_text("wall", &deck, &ReadOptions::default()));
+            assert!(said.iter().all(|own| own.code.0 != "SL0425"), "{kind} {surfaces}: {said:?}");
+            last_row(&format!("wall_{kind}_{surfaces}"), &deck)[4..9].to_vec()
+        });
+        let force = |row: &[String]| row[4].parse::<f64>().unwrap();
+        assert!(force(&sides).abs() > 1.0, "{kind}: {sides:?}");
+        assert!((force(&outlines) / force(&sides) - 1.0).abs() < 1e-6, "{kind}: {outlines:?}");
+        let deck = wall_and_sleeve(kind, "backs");
+        let said = slideline::advise(&Job::read_text("wall", &deck, &ReadOptions::default()));
+        assert!(said.iter().any(|own| own.code.0 == "SL0425"), "{kind}: {said:?}");
+    }
+}

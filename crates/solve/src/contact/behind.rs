@@ -5,6 +5,7 @@ use super::kinematics::{ContactKinematics, PointKinematics};
 use super::master::MasterSurface;
 use super::pairs::{Contact, SlavePoint};
 use super::positions::distance;
+use super::thicknesses::Behind;
 use crate::state::PointState;
 use slideline_mech::contact::gap::offset::Offset;
 use slideline_mech::contact::search::pass::cross_faces;
@@ -29,32 +30,55 @@ fn stands_behind(
 }
 
 impl Contact {
-    /// Whether a node is on the other side of the part that it faces: further behind than that is thick, and none of its own
-    /// faces looks at what it faces or along with it. One that is as deep and looks at it has sunk in through the part; where
-    /// all look along with it, the master looks the wrong way. Both are said elsewhere.
-    fn is_beyond(&self, point: &SlavePoint, now: &PointKinematics, u: &[f64]) -> bool {
+    /// Whether a node is on the other side of the part that it faces: further behind than that is thick, and every one of
+    /// its own faces looks past what it faces, or sees it through its own part. One that is as deep and looks at it with less of its
+    /// part behind it has sunk in through the master; where all look along with it, the master looks the wrong way. Both are said
+    /// elsewhere; so is a part in the wrong place, `at_start`, where faces that could meet are not of the surfaces.
+    ///
+    /// ```text
+    ///      slave            master
+    ///     +-----------+    +------+
+    ///     x           |    |      > faced      deeper behind it than both parts are thick: x looks away
+    ///     +-----------+    +------+            from the master, through its own part
+    /// ```
+    fn is_beyond(
+        &self,
+        point: &SlavePoint,
+        (now, u): (&PointKinematics, &[f64]),
+        at_start: bool,
+    ) -> bool {
         let depth = now.overclosure + now.allowed - self.offsets[point.pair].both();
-        let is_aside = |&face: &usize| {
+        if !point.is_node() || !now.faces || point.faces.is_empty() {
+            return false;
+        }
+        let master = self.behind_faced(point.pair, now);
+        let looks_past = |&face: &usize| {
             let own = self.slave_faces[face].stands(u).0;
-            dot(own, now.normal).abs() < ASIDE * size(own)
+            let along = dot(own, now.normal) / size(own);
+            let slave = self.thicknesses.of_slave(face);
+            let are_whole = master.has_far_side && slave.has_far_side;
+            if along.abs() < ASIDE {
+                true
+            } else if along < 0.0 {
+                depth > slave.thickness && (are_whole || !at_start)
+            } else {
+                master.has_far_side
+            }
         };
-        point.is_node()
-            && now.faces
-            && depth > self.thickness_at(point.pair, now)
-            && !point.faces.is_empty()
-            && point.faces.iter().all(is_aside)
+        depth > master.thickness && point.faces.iter().all(looks_past)
     }
 
-    /// How thick the part of a master is behind what a point faces of it [L].
-    fn thickness_at(&self, pair: usize, now: &PointKinematics) -> f64 {
+    /// What is behind what a point faces of a master, the thicker part.
+    fn behind_faced(&self, pair: usize, now: &PointKinematics) -> Behind {
         let (MasterSurface::Line { nodes, beyond, itself: None, .. }, Some(Facing::Piece(piece))) =
             (&self.masters[pair], &now.facing)
         else {
-            return f64::INFINITY;
+            return Behind::UNKNOWN;
         };
         let last = nodes.len().saturating_sub(2);
         let own = piece.segments().map(|part| beyond.own_segment(part.min(last), nodes.len()));
-        own.map(|part| self.thicknesses.of_master(pair, part)).fold(0.0, f64::max)
+        let behind = own.map(|part| self.thicknesses.of_master(pair, part));
+        behind.reduce(Behind::or_thicker).unwrap_or(Behind::UNKNOWN)
     }
 
     /// Whether a point that did not touch faces something now through a part: a node, which had not sunk in before, the far
@@ -70,7 +94,7 @@ impl Contact {
         let had_sunk_in = before.along.is_some() && before.allowed - before.opening > 0.0;
         let through = || match point.is_spread() {
             true => before.along.is_none() && now.overclosure > self.thicknesses.of_point(place),
-            false => !had_sunk_in && self.is_beyond(point, now, u),
+            false => !had_sunk_in && self.is_beyond(point, (now, u), false),
         };
         !before.closed && now.faces && through()
     }
@@ -168,7 +192,7 @@ impl Contact {
                 stands_behind((point, self.offsets[point.pair]), &before[place], &now)
                     || self.faces_through_a_part(place, &before[place], (&now, u))
             } else {
-                self.is_beyond(point, &now, u)
+                self.is_beyond(point, (&now, u), true)
             };
             if stays {
                 kinematics.at_mut(place).turn_away_in_place();

@@ -12,11 +12,12 @@
 use super::master::MasterSurface;
 use super::mortar::slave::{Control, Mortar};
 use super::pairs::Contact;
-use super::thicknesses::Thicknesses;
+use super::thicknesses::{Behind, Thicknesses};
 use slideline_mech::contact::search::tree::{Bounds, BoxTree};
 use slideline_mech::vector::{Vector, add, cross, scale, size, sub};
 use slideline_model::{Kinematics, Master, Model, NodeIndex, Numbered};
 use std::cell::Cell;
+use std::collections::HashSet;
 
 /// Part of a face beside it that still belongs to it: meshes have faces middle upon node [1].
 const BESIDE: f64 = 1e-9;
@@ -54,15 +55,32 @@ impl Contact {
                 *own = parts.behind_point(mortar, nodes, point);
             });
         }
-        let of_master = |master: &Master| match master {
-            Master::SlideLine(line) => {
-                let segments = line.nodes.windows(2);
-                segments.map(|own| parts.behind([own[0], own[1]])).collect()
-            }
-            _ => Vec::new(),
+        let of_masters =
+            model.contact_pairs.iter().map(|pair| parts.of_master(&pair.master)).collect();
+        let of_slaves = self.behind_slaves(&parts);
+        self.thicknesses = Thicknesses { of_points, of_slaves, of_masters };
+    }
+
+    /// Behind every face of a slave that meets its master at nodes.
+    fn behind_slaves(&self, parts: &Parts) -> Vec<Behind> {
+        let mut all = vec![Behind::UNKNOWN; self.slave_faces.len()];
+        let of_pair = |pair: usize| {
+            let points = self.points.iter().filter(move |point| point.pair == pair);
+            let mut own: Vec<usize> =
+                points.flat_map(|point| point.faces.iter().copied()).collect();
+            own.sort_unstable();
+            own.dedup();
+            own
         };
-        let of_masters = model.contact_pairs.iter().map(|pair| of_master(&pair.master)).collect();
-        self.thicknesses = Thicknesses { of_points, of_masters };
+        for own in (0..self.own_pairs()).map(of_pair) {
+            let ends = |&face: &usize| match &self.slave_faces[face].corners[..] {
+                [(a, ..), (b, ..)] => Some([*a, *b]),
+                _ => None,
+            };
+            let behind = parts.of_surface(own.iter().map(ends));
+            own.into_iter().zip(behind).for_each(|(face, behind)| all[face] = behind);
+        }
+        all
     }
 }
 
@@ -93,22 +111,50 @@ impl Parts {
         Self { faces, places, tree }
     }
 
-    /// How thick a part is behind the face with these nodes [L]; infinite where it ends with none there.
-    fn behind(&self, nodes: [NodeIndex; 2]) -> f64 {
-        let Some(&own) = self.places.get(&sorted(nodes[0], nodes[1])) else { return f64::INFINITY };
+    /// Behind every segment of a master.
+    fn of_master(&self, master: &Master) -> Vec<Behind> {
+        match master {
+            Master::SlideLine(line) => {
+                self.of_surface(line.nodes.windows(2).map(|own| Some([own[0], own[1]])))
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// Behind every face of a surface, by its nodes.
+    fn of_surface(&self, faces: impl Iterator<Item = Option<[NodeIndex; 2]>>) -> Vec<Behind> {
+        let place = |nodes: Option<[NodeIndex; 2]>| {
+            nodes.and_then(|[a, b]| self.places.get(&sorted(a, b)).copied())
+        };
+        let all: Vec<Option<usize>> = faces.map(place).collect();
+        let named: HashSet<usize> = all.iter().flatten().copied().collect();
+        let behind = |own: &Option<usize>| {
+            let Some(own) = *own else { return Behind::UNKNOWN };
+            let (thickness, far) = self.behind(own);
+            Behind { thickness, has_far_side: far.is_some_and(|far| named.contains(&far)) }
+        };
+        all.iter().map(behind).collect()
+    }
+
+    /// How thick a part is behind one of its faces [L], and at which other one it ends there; infinite where it ends at
+    /// none.
+    fn behind(&self, own: usize) -> (f64, Option<usize>) {
         let Face { ends: [a, b], part } = self.faces[own];
         let along = sub(b, a);
         let inward = scale([-along[1], along[0], 0.0], 1.0 / size(along));
         let middle = scale(add(a, b), 0.5);
-        let nearest = Cell::new(f64::INFINITY);
+        let (nearest, far) = (Cell::new(f64::INFINITY), Cell::new(None));
         self.tree.along((middle, inward), &nearest, |other| {
             let face = &self.faces[other];
             if other != own && face.part == part {
                 let way = left_after(face.ends, (middle, inward)).unwrap_or(f64::INFINITY);
-                nearest.set(nearest.get().min(way));
+                if way < nearest.get() {
+                    nearest.set(way);
+                    far.set(Some(other));
+                }
             }
         });
-        nearest.get()
+        (nearest.get(), far.get())
     }
 
     /// Behind the faces of a point of a mortar, the larger one [L].
@@ -118,7 +164,10 @@ impl Parts {
             let own = &mortar.faces[face];
             let ends = [own.controls[0], own.controls[own.count - 1]];
             match ends {
-                [Control::Node(a), Control::Node(b)] => self.behind([nodes[a], nodes[b]]),
+                [Control::Node(a), Control::Node(b)] => {
+                    let own = self.places.get(&sorted(nodes[a], nodes[b]));
+                    own.map_or(f64::INFINITY, |&own| self.behind(own).0)
+                }
                 _ => f64::INFINITY,
             }
         };

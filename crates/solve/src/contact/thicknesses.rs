@@ -5,13 +5,33 @@
 //!     |  .  |  .  |
 //! ```
 
+/// What is behind a face of a part.
+#[derive(Clone, Copy, Debug)]
+pub struct Behind {
+    /// How thick the part is there [L]; infinite where nothing is known.
+    pub thickness: f64,
+    /// Whether the face at which it ends there is of the same surface.
+    pub has_far_side: bool,
+}
+
+impl Behind {
+    pub(super) const UNKNOWN: Self = Self { thickness: f64::INFINITY, has_far_side: false };
+
+    /// The thicker one.
+    pub(super) fn or_thicker(self, other: Self) -> Self {
+        if other.thickness > self.thickness { other } else { self }
+    }
+}
+
 /// How thick the parts of pairs are [L]; infinite where nothing is known.
 #[derive(Clone, Debug, Default)]
 pub struct Thicknesses {
     /// Behind the faces of every point that is spread over faces.
     pub(super) of_points: Vec<f64>,
+    /// Behind the faces of slaves that meet their masters at nodes.
+    pub(super) of_slaves: Vec<Behind>,
     /// Behind the segments of every master.
-    pub(super) of_masters: Vec<Vec<f64>>,
+    pub(super) of_masters: Vec<Vec<Behind>>,
 }
 
 impl Thicknesses {
@@ -20,9 +40,14 @@ impl Thicknesses {
         self.of_points.get(place).copied().unwrap_or(f64::INFINITY)
     }
 
-    /// Behind a segment of a master, by its place among those of the master itself [L].
-    pub fn of_master(&self, pair: usize, segment: usize) -> f64 {
+    /// Behind a face of a slave that meets its master at nodes.
+    pub fn of_slave(&self, face: usize) -> Behind {
+        self.of_slaves.get(face).copied().unwrap_or(Behind::UNKNOWN)
+    }
+
+    /// Behind a segment of a master, by its place among those of the master itself.
+    pub fn of_master(&self, pair: usize, segment: usize) -> Behind {
         let own = self.of_masters.get(pair).and_then(|own| own.get(segment));
-        own.copied().unwrap_or(f64::INFINITY)
+        own.copied().unwrap_or(Behind::UNKNOWN)
     }
 }
