@@ -8,7 +8,7 @@
 //!        +-------------------- iterations
 //! ```
 //!
-//! docs/theory.md section 2.12. D. G. Anderson, J. ACM 12 (1965) 547-560
+//! docs/theory.md section 9, slow convergence. [anderson1965]
 
 use super::scratch::Scratch;
 use crate::problem::Problem;
@@ -42,12 +42,17 @@ pub(super) struct Secants {
     /// The newest is the last of those that are used.
     all: [Iteration; DEPTH + 1],
     used: usize,
+    /// Whether an attempt at this increment converged too slowly.
+    pub(super) is_wanted: bool,
+    /// Whether a step went along them in this attempt.
+    pub(super) were_followed: bool,
 }
 
 impl Secants {
     /// Begins an attempt.
     pub(super) fn forget(&mut self) {
         self.used = 0;
+        self.were_followed = false;
     }
 
     /// Makes room for the newest iteration.
@@ -62,7 +67,7 @@ impl Secants {
 
     /// The factors of the changes between iterations that explain most of the last correction, the newest
     /// first; `None` where iterations converge well, or the changes explain too little.
-    /// docs/theory.md eq. (2.50)
+    /// docs/theory.md section 9
     fn factors(&self, counts: impl Fn(usize) -> bool) -> Option<[f64; DEPTH]> {
         let of = |k: usize| &self.all[k].correction[..];
         let last = self.used.checked_sub(1)?;
@@ -88,7 +93,7 @@ impl Secants {
         (left <= UNEXPLAINED * UNEXPLAINED * size(last)).then_some(factors)
     }
 
-    /// Turns the last correction into a step by the secants. docs/theory.md eq. (2.51)
+    /// Turns the last correction into a step by the secants.
     fn turn(&self, factors: &[f64; DEPTH], correction: &mut [f64]) {
         self.changes(factors).for_each(|(factor, before, after)| {
             let ways = before.way.iter().zip(&before.correction).zip(&after.correction);
@@ -133,7 +138,7 @@ fn least_squares(mut gram: [[f64; DEPTH]; DEPTH], mut right: [f64; DEPTH]) -> ([
             continue;
         }
         explained += right[k] * right[k] / pivot;
-        for row in k + 1..DEPTH {
+        for row in (k + 1..DEPTH).rev() {
             let factor = gram[row][k] / pivot;
             for column in k + 1..=row {
                 gram[row][column] -= factor * gram[column][k];
@@ -155,6 +160,9 @@ fn least_squares(mut gram: [[f64; DEPTH]; DEPTH], mut right: [f64; DEPTH]) -> ([
 impl Scratch {
     /// Replaces a correction by a step along the secants of the last iterations, where these converge slowly.
     pub(super) fn follow_secants(&mut self, plan: &Problem<'_>) {
+        if !self.secants.is_wanted {
+            return;
+        }
         let own = self.secants.next();
         own.correction.clone_from(&self.correction);
         own.pressures.clone_from(&self.pressures);
@@ -166,6 +174,7 @@ impl Scratch {
         let of_dof = &plan.constraints.dof_of_equation;
         let moves = |equation: usize| !plan.dofs.name(of_dof[equation]).1.is_rotation();
         if let Some(factors) = self.secants.factors(moves) {
+            self.secants.were_followed = true;
             self.secants.turn(&factors, &mut self.correction);
             for place in 0..self.points.len() {
                 let of = self.points[place].place;
@@ -175,5 +184,70 @@ impl Scratch {
         }
         let last = self.secants.used - 1;
         self.secants.all[last].way.clone_from(&self.correction);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SIZE: usize = 7;
+
+    /// Corrections of c - A x by a tangent of ones, which lacks what A has beside.
+    fn correction(missing: &[[f64; SIZE]], x: &[f64]) -> Vec<f64> {
+        let by = |row: usize| {
+            let dot = |own: &[f64; SIZE]| own.iter().zip(x).map(|(a, x)| a * x).sum::<f64>();
+            missing.iter().map(|own| 0.9 * own[row] * dot(own)).sum::<f64>()
+        };
+        (0..SIZE).map(|row| 1.0 + row as f64 - x[row] - by(row)).collect()
+    }
+
+    /// Requirement: where the tangent lacks stiffness along one way, two or three, each with a rate of -0.9 by
+    /// itself, steps by the secants end in rounding after some iterations more than ways, and without them not after
+    /// twenty.
+    #[test]
+    fn what_the_tangent_lacks_is_found() {
+        let across = |k: usize| {
+            let mut own = [0.0; SIZE];
+            (own[2 * k], own[2 * k + 1]) = (0.6, 0.8);
+            own
+        };
+        for ways in 1..=3 {
+            let missing: Vec<_> = (0..ways).map(across).collect();
+            let iterate = |follows: bool, most: usize| {
+                let (mut secants, mut x) = (Secants::default(), vec![0.0; SIZE]);
+                for iteration in 0..most {
+                    let mut step = correction(&missing, &x);
+                    let size = step.iter().fold(0.0_f64, |most, d| most.max(d.abs()));
+                    if size < 1e-10 {
+                        return Some(iteration);
+                    }
+                    secants.next().correction.clone_from(&step);
+                    if let Some(factors) = secants.factors(|_| true).filter(|_| follows) {
+                        secants.turn(&factors, &mut step);
+                    }
+                    let last = secants.used - 1;
+                    secants.all[last].way.clone_from(&step);
+                    x.iter_mut().zip(&step).for_each(|(x, step)| *x += step);
+                }
+                None
+            };
+            assert!(iterate(false, 20).is_none());
+            let iterations = iterate(true, 20);
+            assert!(iterations.is_some_and(|own| own <= 4 + 2 * ways), "{ways} {iterations:?}");
+        }
+    }
+
+    /// Requirement: changes that depend on newer ones are left out, and explain nothing twice.
+    #[test]
+    fn changes_that_depend_on_others() {
+        let gram = [[4.0, 0.0, 0.0], [2.0, 1.0, 0.0], [0.0, 0.0, 9.0]];
+        let (factors, explained) = least_squares(gram, [8.0, 4.0, 18.0]);
+        assert_eq!((factors, explained), ([2.0, 0.0, 2.0], 52.0));
+        let gram = [[4.0, 0.0, 0.0], [2.0, 3.0, 0.0], [1.0, -1.0, 5.0]];
+        let right = [4.0 + 4.0 + 3.0, 2.0 + 6.0 - 3.0, 1.0 - 2.0 + 15.0];
+        let (factors, _) = least_squares(gram, right);
+        let near = factors.iter().zip([1.0, 2.0, 3.0]).all(|(a, b)| (a - b).abs() < 1e-14);
+        assert!(near, "{factors:?}");
     }
 }
