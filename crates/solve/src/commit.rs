@@ -47,6 +47,7 @@ pub fn commit(
     begin_turns(plan, committed, trial);
     trial.points.copy_from_slice(&evaluation.points);
     trial.stabilised = committed.stabilised;
+    trial.by_secants = work.followed_secants();
     trial.damping.clear();
     if crate::stabilise::settings(plan, committed).is_some() {
         trial.damping.extend_from_slice(&evaluation.damping);

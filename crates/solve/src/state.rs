@@ -44,6 +44,8 @@ pub struct State {
     pub damping: Vec<f64>,
     /// Whether contact of this step is stabilised without the deck's asking.
     pub stabilised: bool,
+    /// Whether the last increment ended by steps along secants.
+    pub by_secants: bool,
     /// Energies.
     pub energy: Energies,
     /// Sum of the energies that `balance` counts from [F L]; set by the first
@@ -148,7 +150,7 @@ impl State {
     /// Becomes a copy of another state, in the room it has.
     pub fn copy_from(&mut self, from: &Self) {
         let Self { total_time, step_time, increment_time, .. } = *from;
-        let Self { flux, stabilised, energy, balance_origin, books, .. } = *from;
+        let Self { flux, stabilised, by_secants, energy, balance_origin, books, .. } = *from;
         let Self { displacement, increment, increment_before, reaction, load, .. } = from;
         let Self { points, state_variables, elements, damping, temperatures, turns, .. } = from;
         let lists = [
@@ -182,6 +184,7 @@ impl State {
             flux,
             damping: std::mem::take(&mut self.damping),
             stabilised,
+            by_secants,
             energy,
             balance_origin,
             books,

@@ -54,13 +54,7 @@ pub fn attempt(
         let verdict = progress.verdict(&report, &limits);
         progress.last = Some(report);
         if let Some(verdict) = verdict {
-            match verdict {
-                Verdict::TooSlow => work.secants.is_wanted = true,
-                Verdict::Converged { .. } => {
-                    work.secants.is_wanted = work.secants.were_followed;
-                }
-                _ => {}
-            }
+            work.secants.is_wanted |= verdict == Verdict::TooSlow;
             work.complete(plan, committed);
             if flows_away(plan, &progress, verdict) {
                 return progress.end(Verdict::FlowsAway, None);

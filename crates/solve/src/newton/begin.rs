@@ -44,7 +44,7 @@ impl Scratch {
         self.negative_pivots = 0;
         (self.factored, self.nearly_there) = (false, false);
         self.thrown = false;
-        self.secants.forget();
+        self.secants.begin(target.attempt == 1, committed.by_secants);
         let times = (target.step_time, target.dt);
         stabilise::fill(plan, committed, times, &mut self.dashpots);
         self.u.copy_from_slice(&committed.displacement);

@@ -42,17 +42,26 @@ pub(super) struct Secants {
     /// The newest is the last of those that are used.
     all: [Iteration; DEPTH + 1],
     used: usize,
-    /// Whether an attempt at this increment converged too slowly.
+    /// Whether they are to be followed.
     pub(super) is_wanted: bool,
     /// Whether a step went along them in this attempt.
-    pub(super) were_followed: bool,
+    were_followed: bool,
 }
 
 impl Secants {
-    /// Begins an attempt.
+    /// Begins an attempt: of an increment that is attempted for the first time they are wanted where the last one
+    /// ended by them, and later where an attempt was too slow.
+    pub(super) fn begin(&mut self, is_first: bool, ended_by_them: bool) {
+        self.forget();
+        self.were_followed = false;
+        if is_first {
+            self.is_wanted = ended_by_them;
+        }
+    }
+
+    /// The equations have changed: what was before tells nothing.
     pub(super) fn forget(&mut self) {
         self.used = 0;
-        self.were_followed = false;
     }
 
     /// Makes room for the newest iteration.
@@ -82,10 +91,10 @@ impl Secants {
         let change = |k: usize| move |e: usize| of(last - k)[e] - of(last - k - 1)[e];
         let mut gram = [[0.0; DEPTH]; DEPTH];
         let mut right = [0.0; DEPTH];
-        for row in 0..last.min(DEPTH) {
-            right[row] = product(&change(row), &|e| of(last)[e]);
-            for column in 0..=row {
-                gram[row][column] = product(&change(row), &change(column));
+        for (row, (products, right)) in gram.iter_mut().zip(&mut right).take(last).enumerate() {
+            *right = product(&change(row), &|e| of(last)[e]);
+            for (column, entry) in products[..=row].iter_mut().enumerate() {
+                *entry = product(&change(row), &change(column));
             }
         }
         let (factors, explained) = least_squares(gram, right);
@@ -138,11 +147,11 @@ fn least_squares(mut gram: [[f64; DEPTH]; DEPTH], mut right: [f64; DEPTH]) -> ([
             continue;
         }
         explained += right[k] * right[k] / pivot;
-        for row in (k + 1..DEPTH).rev() {
-            let factor = gram[row][k] / pivot;
-            for column in k + 1..=row {
-                gram[row][column] -= factor * gram[column][k];
-            }
+        let below: [f64; DEPTH] = std::array::from_fn(|row| gram[row][k]);
+        for row in k + 1..DEPTH {
+            let factor = below[row] / pivot;
+            let entries = gram[row][k + 1..=row].iter_mut().zip(&below[k + 1..]);
+            entries.for_each(|(entry, other)| *entry -= factor * other);
             right[row] -= factor * right[k];
             gram[row][k] = factor;
         }
@@ -158,6 +167,11 @@ fn least_squares(mut gram: [[f64; DEPTH]; DEPTH], mut right: [f64; DEPTH]) -> ([
 }
 
 impl Scratch {
+    /// Whether steps along secants were taken in the last attempt.
+    pub fn followed_secants(&self) -> bool {
+        self.secants.were_followed
+    }
+
     /// Replaces a correction by a step along the secants of the last iterations, where these converge slowly.
     pub(super) fn follow_secants(&mut self, plan: &Problem<'_>) {
         if !self.secants.is_wanted {
