@@ -153,6 +153,23 @@ impl Scratch {
         Err(SolveError::Singular { equation, ratio: plan.reach / size(&equation) })
     }
 
+    /// Replaces a correction by a step along the secants of the last iterations, where these converge slowly.
+    fn follow_secants(&mut self, plan: &Problem<'_>) {
+        let Self { secants, correction, points, pressures, tractions, .. } = self;
+        if !secants.are_followed() {
+            return;
+        }
+        secants.note(correction, points, (&pressures[..], &tractions[..]));
+        let of_dof = &plan.constraints.dof_of_equation;
+        let moves = |equation: usize| !plan.dofs.name(of_dof[equation]).1.is_rotation();
+        secants.follow(moves, correction, points);
+    }
+
+    /// Whether steps along secants were taken in the last attempt.
+    pub fn followed_secants(&self) -> bool {
+        self.secants.were_followed
+    }
+
     /// Lets the faces on which points stand hold them in this iteration.
     fn stand(&mut self) {
         let points = self.evaluation.kinematics.points();

@@ -10,8 +10,7 @@
 //!
 //! docs/theory.md section 9, slow convergence. [anderson1965]
 
-use super::scratch::Scratch;
-use crate::problem::Problem;
+use crate::linearised::LinearPoints;
 use slideline_mech::contact::tangential::Tangential;
 
 /// Changes that are remembered. (choice)
@@ -45,7 +44,7 @@ pub(super) struct Secants {
     /// Whether they are to be followed.
     pub(super) is_wanted: bool,
     /// Whether a step went along them in this attempt.
-    were_followed: bool,
+    pub(super) were_followed: bool,
 }
 
 impl Secants {
@@ -62,6 +61,48 @@ impl Secants {
     /// The equations have changed: what was before tells nothing.
     pub(super) fn forget(&mut self) {
         self.used = 0;
+    }
+
+    /// Whether they are followed in this attempt.
+    pub(super) fn are_followed(&self) -> bool {
+        self.is_wanted
+    }
+
+    /// Notes an iteration: its correction, and the multipliers to which the linear solution came, those of `points`
+    /// and for the others these pressures and tractions.
+    pub(super) fn note(
+        &mut self,
+        correction: &[f64],
+        points: &LinearPoints,
+        (pressures, tractions): (&[f64], &[Tangential]),
+    ) {
+        let own = self.next();
+        copy(correction, &mut own.correction);
+        copy(pressures, &mut own.pressures);
+        copy(tractions, &mut own.tractions);
+        for linear in points.iter() {
+            own.pressures[linear.place] = linear.pressure;
+            own.tractions[linear.place] = linear.traction();
+        }
+    }
+
+    /// Turns the correction that was noted last, and the multipliers, into a step by the secants where iterations
+    /// converge slowly; `counts`: which equations are asked.
+    pub(super) fn follow(
+        &mut self,
+        counts: impl Fn(usize) -> bool,
+        correction: &mut [f64],
+        points: &mut LinearPoints,
+    ) {
+        if let Some(factors) = self.factors(counts) {
+            self.were_followed = true;
+            self.turn(&factors, correction);
+            for place in 0..points.len() {
+                let (pressure, traction) = self.change(&factors, points[place].place);
+                points[place].move_by(pressure, traction);
+            }
+        }
+        copy(correction, &mut self.all[self.used - 1].way);
     }
 
     /// Makes room for the newest iteration.
@@ -133,6 +174,12 @@ impl Secants {
     }
 }
 
+/// A list in place of another one, room kept.
+fn copy<T: Copy>(from: &[T], into: &mut Vec<T>) {
+    into.clear();
+    into.extend_from_slice(from);
+}
+
 /// Solves the normal equations of changes, the newest first, whose products are the lower part of `gram`; changes that
 /// the newer ones hold are left out. Also what is explained of the square of the right side.
 fn least_squares(mut gram: [[f64; DEPTH]; DEPTH], mut right: [f64; DEPTH]) -> ([f64; DEPTH], f64) {
@@ -164,41 +211,6 @@ fn least_squares(mut gram: [[f64; DEPTH]; DEPTH], mut right: [f64; DEPTH]) -> ([
         }
     }
     (factors, explained)
-}
-
-impl Scratch {
-    /// Whether steps along secants were taken in the last attempt.
-    pub fn followed_secants(&self) -> bool {
-        self.secants.were_followed
-    }
-
-    /// Replaces a correction by a step along the secants of the last iterations, where these converge slowly.
-    pub(super) fn follow_secants(&mut self, plan: &Problem<'_>) {
-        if !self.secants.is_wanted {
-            return;
-        }
-        let own = self.secants.next();
-        own.correction.clone_from(&self.correction);
-        own.pressures.clone_from(&self.pressures);
-        own.tractions.clone_from(&self.tractions);
-        for linear in self.points.iter() {
-            own.pressures[linear.place] = linear.pressure;
-            own.tractions[linear.place] = linear.traction();
-        }
-        let of_dof = &plan.constraints.dof_of_equation;
-        let moves = |equation: usize| !plan.dofs.name(of_dof[equation]).1.is_rotation();
-        if let Some(factors) = self.secants.factors(moves) {
-            self.secants.were_followed = true;
-            self.secants.turn(&factors, &mut self.correction);
-            for place in 0..self.points.len() {
-                let of = self.points[place].place;
-                let (pressure, traction) = self.secants.change(&factors, of);
-                self.points[place].move_by(pressure, traction);
-            }
-        }
-        let last = self.secants.used - 1;
-        self.secants.all[last].way.clone_from(&self.correction);
-    }
 }
 
 #[cfg(test)]
