@@ -113,6 +113,8 @@ pub(crate) struct Draft {
     pub pre_tensions: Vec<PreTension>,
     /// The nodes that cuts by pre-tension sections have added, and those that they stand for.
     pub cut_nodes: Numbered<u64, u64>,
+    /// Those that pre-tension sections have added for a node.
+    pub behind_cuts: Numbered<u64, Vec<u64>>,
     /// What nodes follow that stand in for others in `*SPRING`.
     pub crossed_springs: Vec<LinearConstraint>,
     pub shape_mpcs: Vec<ShapeMpc>,

@@ -71,7 +71,10 @@ impl Restraint {
                 let own = named_motion(model, node, dof, arm);
                 row.iter_mut().zip(own).for_each(|(sum, part)| *sum += factor * part);
             }
-            rows.entry(root).or_default().push(row);
+            // one within a body may hinder none of its motions, but for rounding
+            if row.iter().any(|part| part.abs() > DEPENDENT) {
+                rows.entry(root).or_default().push(row);
+            }
         }
         let in_space = model.is_in_space();
         Self { bodies, rows, in_space, size }
@@ -184,7 +187,7 @@ impl Bodies {
             let (node, dof) = constraint.dependent;
             let others = constraint.terms.iter().map(|&(node, dof, factor)| (node, dof, -factor));
             let mut free: Vec<_> = std::iter::once((node, dof, 1.0)).chain(others).collect();
-            free.retain(|&(node, dof, _)| !prescribed.contains(&(node, dof)));
+            free.retain(|&(node, dof, factor)| factor != 0.0 && !prescribed.contains(&(node, dof)));
             let Some(&(first, ..)) = free.first() else { continue };
             let body = self.root(first);
             let largest = free.iter().fold(0.0_f64, |most, own| most.max(own.2.abs()));

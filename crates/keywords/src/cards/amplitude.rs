@@ -109,7 +109,7 @@ fn absolute(name: &str, card: &Reading<'_>, draft: &mut Draft) {
         Dialect::Abaqus => _ = draft.absolute_amplitudes.insert(name.to_owned()),
         Dialect::Calculix => {
             let message = "VALUE has no effect here: in CalculiX amplitudes are always factors";
-            draft.log.note("SL0257", message, card.span_of("VALUE"));
+            draft.log.note("SL0253", message, card.span_of("VALUE"));
         }
     }
 }

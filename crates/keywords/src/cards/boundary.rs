@@ -110,13 +110,13 @@ fn condition(line: &DataLine, draft: &mut Draft) -> Option<draft::Boundary> {
     draft.log.at_most(line, 4);
     let target = draft.log.target(line, 0, "the node or set")?;
     let target_span = line.fields[0].span;
-    let (dofs, value) = match named(line, draft) {
-        Some(dofs) => (dofs?, 0.0),
-        None => (dofs(line, draft)?, draft.log.number_or(line, 3, 0.0)?),
+    let (dofs, value, is_named) = match named(line, draft) {
+        Some(dofs) => (dofs?, 0.0, true),
+        None => (dofs(line, draft)?, draft.log.number_or(line, 3, 0.0)?, false),
     };
     let amplitude = None;
     let (fixed, origin) = (false, line.span);
-    Some(draft::Boundary { target, target_span, dofs, value, amplitude, fixed, origin })
+    Some(draft::Boundary { target, target_span, dofs, value, amplitude, fixed, is_named, origin })
 }
 
 /// A named support: `Some(None)` where the word is unknown.

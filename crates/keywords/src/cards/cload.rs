@@ -89,6 +89,6 @@ fn load(line: &DataLine, draft: &mut Draft) -> Option<Boundary> {
     let dof = draft.dof(number, line, 1)?;
     let target_span = line.fields[0].span;
     let (dofs, amplitude) = (vec![dof], None);
-    let (fixed, origin) = (false, line.span);
-    Some(Boundary { target, target_span, dofs, value, amplitude, fixed, origin })
+    let (fixed, is_named, origin) = (false, false, line.span);
+    Some(Boundary { target, target_span, dofs, value, amplitude, fixed, is_named, origin })
 }

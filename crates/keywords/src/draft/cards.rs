@@ -101,6 +101,8 @@ pub(crate) struct Boundary {
     pub amplitude: Option<(String, Span)>,
     /// `FIXED`: it stays where the step before left it.
     pub fixed: bool,
+    /// A named support such as ENCASTRE: it holds, whatever the amplitude.
+    pub is_named: bool,
     pub origin: Span,
 }
 

@@ -32,7 +32,8 @@ pub(super) fn absolute(draft: &mut Draft) {
         |own: &Option<(String, Span)>| own.as_ref().is_some_and(|(name, _)| names.contains(name));
     let mut sloped = Vec::new();
     for step in &mut draft.steps {
-        let lines = step.boundary.iter_mut().chain(&mut step.loads);
+        let motions = step.boundary.iter_mut().filter(|line| !line.is_named);
+        let lines = motions.chain(&mut step.loads);
         let lines = lines.map(|line| (&mut line.value, &line.amplitude));
         let rest = step.distributed.iter_mut().map(|line| (&mut line.value, &line.amplitude));
         let ways = step.interferences.iter_mut();

@@ -90,6 +90,7 @@ use crate::parts::renumber;
 /// or there are no cards at all.
 pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     draft.end_parts();
+    amplitudes::absolute(draft);
     dimension::dimension(draft);
     nodes::sets(draft);
     nodes::elements(draft);
@@ -113,7 +114,6 @@ pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     temperatures::initial(draft);
     temperatures::without_expansion(draft);
     temperatures::out_of_plane(draft);
-    amplitudes::absolute(draft);
     steps::steps(draft, steps_doubted);
     renumber(&mut draft.model);
     draft.model.find_edges();

@@ -195,7 +195,9 @@ fn part(
     for (label, other) in (next..).zip(nodes) {
         let of = draft.model.nodes.label(other);
         copy_of.insert(of, label);
-        draft.cut_nodes.insert(label, draft.uncut(of));
+        let original = draft.uncut(of);
+        draft.cut_nodes.insert(label, original);
+        draft.behind_cuts.entry(original).or_default().push(label);
         let position = draft.model.nodes.position(other);
         pairs.push((other, draft.model.nodes.insert(Node { label, position, origin })));
     }

@@ -1,7 +1,7 @@
 //! Temperatures of nodes: what lines mean for each node, before the first step and in it.
 
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_model::{NodalTemperature, NodeIndex, NumberedSet, Temperature};
+use slideline_model::{NodalTemperature, NodeIndex, Temperature};
 
 use super::standing::InForce;
 use crate::draft::{Draft, Heat};
@@ -22,19 +22,13 @@ pub(super) fn initial(draft: &mut Draft) {
 /// The nodes that a line names, and those that stand for them behind cuts by pre-tension sections.
 fn on_both_sides(line: &Heat, draft: &mut Draft) -> Vec<NodeIndex> {
     let mut nodes = draft.nodes_of(&line.target, line.target_span);
-    let named: NumberedSet<NodeIndex> = match draft.cut_nodes.is_empty() {
-        true => return nodes,
-        false => nodes.iter().copied().collect(),
-    };
-    let find = |label: &u64| draft.model.nodes.find(*label);
-    let mut behind: Vec<NodeIndex> = draft
-        .cut_nodes
-        .iter()
-        .filter(|(_, of)| find(of).is_some_and(|of| named.contains(&of)))
-        .filter_map(|(own, _)| find(own))
-        .collect();
-    behind.sort_unstable();
-    nodes.extend(behind);
+    if !draft.behind_cuts.is_empty() {
+        let all = &draft.model.nodes;
+        let behind = |&node: &NodeIndex| draft.behind_cuts.get(&all.label(node));
+        let behind = nodes.iter().filter_map(behind).flatten().filter_map(|&own| all.find(own));
+        let behind: Vec<NodeIndex> = behind.collect();
+        nodes.extend(behind);
+    }
     nodes
 }
 

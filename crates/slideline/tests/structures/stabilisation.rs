@@ -203,24 +203,22 @@ fn equations_to_a_held_node_are_supports() {
 /// EA/l = 3000, nu = 0: it yields by 2/3000.
 #[test]
 fn a_floating_block_comes_down() {
-    for (gap, form) in
-        [(0.03, "SURFACE TO SURFACE"), (0.5, "SURFACE TO SURFACE"), (0.5, "NODE TO SURFACE")]
-    {
+    for gap in [0.03, 0.5] {
         let (foot, head) = (1.0 + gap, 2.0 + gap);
         let text = format!(
             "*NODE\n1, 0., 0.\n2, 3., 0.\n3, 3., 1.\n4, 0., 1.\n11, 0., {foot:?}\n12, 3., {foot:?}\n\
              13, 3., {head:?}\n14, 0., {head:?}\n*ELEMENT, TYPE=CPE4, ELSET=E\n1, 1, 2, 3, 4\n2, 11, 12, 13, 14\n\
              *SOLID SECTION, ELSET=E, MATERIAL=M\n1.\n*MATERIAL, NAME=M\n*ELASTIC\n1000., 0.\n\
              *SURFACE, NAME=LOW\n1, S3\n*SURFACE, NAME=UP\n2, S1\n*SURFACE INTERACTION, NAME=I\n\
-             *CONTACT PAIR, INTERACTION=I, TYPE={form}\nUP, LOW\n*BOUNDARY\n1, 1, 2\n2, 1, 2\n3, 1\n4, 1\n11, 1\n\
+             *CONTACT PAIR, INTERACTION=I, TYPE=SURFACE TO SURFACE\nUP, LOW\n*BOUNDARY\n1, 1, 2\n2, 1, 2\n3, 1\n4, 1\n11, 1\n\
              14, 1\n*STEP, NLGEOM=NO\n*STATIC\n0.25, 1.\n*CLOAD\n13, 2, -1.\n14, 2, -1.\n*END STEP\n"
         );
         let mut watch = Watch::of(14);
         let ending = run(&text, &mut watch);
-        assert!(matches!(ending, Ending::Completed(_)), "{form} {gap} {ending:?}");
+        assert!(matches!(ending, Ending::Completed(_)), "{gap} {ending:?}");
         let down = watch.rows.last().unwrap()[1];
-        assert!((down + gap + 4.0 / 3000.0).abs() < 1e-9, "{form} {gap} {down}");
-        assert_eq!(watch.rows.len(), 4, "{form} {gap}");
+        assert!((down + gap + 4.0 / 3000.0).abs() < 1e-9, "{gap} {down}");
+        assert_eq!(watch.rows.len(), 4, "{gap}");
     }
 }
 

@@ -14,12 +14,20 @@ pub struct Behind {
     pub has_far_side: bool,
 }
 
+/// Part of a thickness by which another one may differ by rounding [1].
+const AS_THICK: f64 = 1e-9;
+
 impl Behind {
     pub(super) const UNKNOWN: Self = Self { thickness: f64::INFINITY, has_far_side: false };
 
-    /// The thicker one.
+    /// The thicker one; of two as thick, but for rounding, the far side is that of both.
     pub(super) fn or_thicker(self, other: Self) -> Self {
-        if other.thickness > self.thickness { other } else { self }
+        let thicker = if other.thickness > self.thickness { other } else { self };
+        let apart = (other.thickness - self.thickness).abs();
+        match apart <= AS_THICK * thicker.thickness {
+            true => Self { has_far_side: self.has_far_side && other.has_far_side, ..thicker },
+            false => thicker,
+        }
     }
 }
 

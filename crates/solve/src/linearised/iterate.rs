@@ -40,7 +40,10 @@ impl LinearisedContact {
             return true;
         }
         self.unknown.clone_from(&self.begun);
-        if self.newton_by(|row| LEAST_OWN * row.kappa, points, context) {
+        let is_least = |row: &Row| row.own <= LEAST_OWN * row.kappa;
+        if !self.rows.iter().all(is_least)
+            && self.newton_by(|row| LEAST_OWN * row.kappa, points, context)
+        {
             return true;
         }
         self.unknown.clone_from(&self.begun);

@@ -67,6 +67,12 @@ impl LinearPoint {
         }
     }
 
+    /// Sets a solution [F/L2].
+    pub fn take(&mut self, pressure: f64, traction: Tangential) {
+        self.pressure = pressure;
+        self.set_traction(traction);
+    }
+
     /// Moves a solution that presses by changes of its pressure and traction [F/L2]; it goes on pressing.
     pub fn move_by(&mut self, pressure: f64, traction: Tangential) {
         if (self.pressure + pressure) * self.pressure > 0.0 {

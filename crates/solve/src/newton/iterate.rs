@@ -119,8 +119,9 @@ impl Scratch {
         if self.line_search {
             self.search(plan, committed, (dt, length));
         } else {
-            if length == 1.0 {
-                self.follow_secants(plan);
+            match length == 1.0 {
+                true => self.follow_secants(plan),
+                false => self.secants.forget(),
             }
             self.advance(plan, length);
             match self.nearly_there {
@@ -153,16 +154,26 @@ impl Scratch {
         Err(SolveError::Singular { equation, ratio: plan.reach / size(&equation) })
     }
 
-    /// Replaces a correction by a step along the secants of the last iterations, where these converge slowly.
+    /// Replaces a correction by a step along the secants of the last iterations, where these converge slowly and the step
+    /// leads nowhere far.
     fn follow_secants(&mut self, plan: &Problem<'_>) {
-        let Self { secants, correction, points, pressures, tractions, .. } = self;
-        if !secants.are_followed() {
+        // without contact the tangent lacks nothing; downhill every step has a stiffness of its own
+        let is_downhill = self.relaxation.stiffness > 0.0;
+        if !self.secants.are_followed() || plan.contact.points.is_empty() || is_downhill {
             return;
         }
+        let Self { secants, correction, points, pressures, tractions, .. } = self;
         secants.note(correction, points, (&pressures[..], &tractions[..]));
         let of_dof = &plan.constraints.dof_of_equation;
         let moves = |equation: usize| !plan.dofs.name(of_dof[equation]).1.is_rotation();
-        secants.follow(moves, correction, points);
+        if !secants.follow(moves, correction, points) {
+            return;
+        }
+        let moved = correction.iter().enumerate().filter(|own| moves(own.0));
+        let is_far = moved.fold(0.0_f64, |most, own| most.max(own.1.abs())) > plan.reach;
+        if is_far || self.limit_turns(plan) < 1.0 {
+            self.secants.take_back(&mut self.correction, &mut self.points);
+        }
     }
 
     /// Whether steps along secants were taken in the last attempt.

@@ -87,22 +87,35 @@ impl Secants {
     }
 
     /// Turns the correction that was noted last, and the multipliers, into a step by the secants where iterations
-    /// converge slowly; `counts`: which equations are asked.
+    /// converge slowly, and says whether it did; `counts`: which equations are asked.
     pub(super) fn follow(
         &mut self,
         counts: impl Fn(usize) -> bool,
         correction: &mut [f64],
         points: &mut LinearPoints,
-    ) {
-        if let Some(factors) = self.factors(counts) {
-            self.were_followed = true;
+    ) -> bool {
+        let factors = self.factors(counts).filter(|factors| *factors != [0.0; DEPTH]);
+        if let Some(factors) = factors {
             self.turn(&factors, correction);
             for place in 0..points.len() {
                 let (pressure, traction) = self.change(&factors, points[place].place);
                 points[place].move_by(pressure, traction);
             }
         }
+        self.were_followed |= factors.is_some();
         copy(correction, &mut self.all[self.used - 1].way);
+        factors.is_some()
+    }
+
+    /// The correction that was noted last after all, with its multipliers.
+    pub(super) fn take_back(&mut self, correction: &mut [f64], points: &mut LinearPoints) {
+        let own = &mut self.all[self.used - 1];
+        correction.copy_from_slice(&own.correction);
+        copy(correction, &mut own.way);
+        for place in 0..points.len() {
+            let of = points[place].place;
+            points[place].take(own.pressures[of], own.tractions[of]);
+        }
     }
 
     /// Makes room for the newest iteration.
