@@ -73,7 +73,9 @@ pub fn account(plan: &Problem<'_>, committed: &State, work: &Scratch, trial: &mu
     let stored =
         energy.of_the_model() - before.of_the_model() + energy.stabilisation - before.stabilisation;
     trial.books = Books {
-        turned_over: committed.books.turned_over + gained.abs().max(taken.abs()),
+        // what a pair brings is supplied, though no support gives it
+        turned_over: committed.books.turned_over
+            + (gained + brought).abs().max((taken + brought).abs()),
         left: gained + brought - stored - friction.work,
         held: (before.of_the_model(), energy.of_the_model()),
         opening: friction.opening,
