@@ -87,7 +87,21 @@ pub(super) fn twice(draft: &mut Draft, (node, dof): (NodeIndex, Dof), first: Spa
     let name = draft.model.nodes.name(node);
     let message = format!("dof {} of node {name} is dependent twice", dof.number());
     let error = Diagnostic::error(Code("SL0316"), message).at(origin);
-    draft.consequence(Subject::Links, error.label(first, "dependent here first"));
+    let error = beside_cut(error.label(first, "dependent here first"), node, draft);
+    draft.consequence(Subject::Links, error);
+}
+
+/// Says of which node of the deck that one is which a pre-tension section has added.
+pub(super) fn beside_cut(error: Diagnostic, node: NodeIndex, draft: &Draft) -> Diagnostic {
+    let label = draft.model.nodes.label(node);
+    let original = draft.uncut(label);
+    if original == label {
+        return error;
+    }
+    error.help(format!(
+        "node {label} is the other side of node {original}, which lies on a cut by a pre-tension section and follows \
+         its reference node there: leave the nodes of the cut out of couplings, ties and equations"
+    ))
 }
 
 /// Complains about dofs that follow themselves by way of others, and about rigid bodies whose own

@@ -15,7 +15,9 @@ pub(super) fn tie(link: RigidLink, draft: &mut Draft) {
         let label = draft.model.nodes.label(dependent);
         let message = format!("node {label} is a dependent node twice");
         let error = Diagnostic::error(Code("SL0316"), message).at(origin);
-        draft.consequence(Subject::Links, error.label(first, "linked here first"));
+        let error = error.label(first, "linked here first");
+        let error = super::equations::beside_cut(error, dependent, draft);
+        draft.consequence(Subject::Links, error);
         return;
     }
     draft.dependents.extend(dofs().map(|dof| ((dependent, dof), origin)));

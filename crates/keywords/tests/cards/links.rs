@@ -141,6 +141,14 @@ fn bolts_are_cut() {
             elements.filter(|e| e.nodes.contains(&own)).map(|element| element.label).collect();
         assert_eq!(of, [1]);
     }
+    // a coupling of the side that follows: it says which node of the deck that is
+    let coupled = "*NODE\n101, 3.0, 5.0\n*COUPLING, REF NODE=101, SURFACE=CUT, CONSTRAINT NAME=C\n*KINEMATIC\n";
+    let text = deck(&format!("{coupled}{cards}"), &[]);
+    let said = errors(&interpret(&text, A));
+    let helps = |help: &str| help.contains("the other side of node");
+    let told =
+        said.iter().any(|own| own.code.0 == "SL0316" && own.help.as_deref().is_some_and(helps));
+    assert!(told, "{said:#?}");
     let turned = cards.replace("NODE=100\n", "NODE=100\n-2.0, 0.0\n");
     let turned = model(&deck(&turned, &[]), A);
     assert!(
