@@ -16,6 +16,7 @@ use slideline_mech::contact::search::chain::{Chain, flat};
 use slideline_mech::contact::search::nearest::Nearby;
 use slideline_mech::contact::search::rigid::{RigidSegment, beyond_end};
 use slideline_model::{ContactPair, Formulation, Master, NodeIndex, Step};
+use slideline_solve::observe::ContactRow;
 
 /// Increments of a step that are gone through at most.
 const MOST: usize = 400;
@@ -42,7 +43,7 @@ enum Position {
 
 /// Rehearses every pair, gaps that the solver left out filled before.
 pub fn rehearse(start: &mut Start<'_>) {
-    fill_gaps(start);
+    fill_places(start);
     let pairs = start.model.contact_pairs.iter();
     start.rehearsals = pairs.map(|pair| rehearsed(start, pair)).collect();
 }
@@ -80,27 +81,50 @@ pub fn increments(step: &Step) -> usize {
     (1.0 / each - 1e-6).ceil().max(1.0) as usize
 }
 
-/// Gaps of integrated contact that the solver has left out, because they are
-/// far from closing: those of the slave nodes, before anything moves.
-fn fill_gaps(start: &mut Start<'_>) {
+/// Where rows of contact that is no contact of nodes stand before anything moves, which the solver does not say: gaps of
+/// integrated contact that it has left out because they are far from closing, and places along masters of contact over
+/// faces, whose rows have the slip there.
+fn fill_places(start: &mut Start<'_>) {
     let mut filled = std::mem::take(&mut start.points);
-    for row in filled.iter_mut().filter(|row| row.opening.is_infinite()) {
-        let Some(pair) = start.model.contact_pairs.get(row.pair) else { continue };
-        if pair.formulation != Formulation::SurfaceToSurface {
+    for (place, pair) in start.model.contact_pairs.iter().enumerate() {
+        if pair.formulation == Formulation::NodeToSurface {
             continue;
         }
-        let (point, still) = (start.model.nodes.position(row.node), Body::STILL);
-        let Some(MasterSurface::Body(surface, _)) = master_surface(start, pair) else { continue };
-        let facing = surface.closest(&still, point);
-        let at = (point, pair.offset);
-        if let Some(gap) = facing.and_then(|facing| surface.gap::<Linear>(&still, &facing, at)) {
-            row.opening = -gap.overclosure();
-            row.normal = gap.normal();
-            row.along = gap.along()[0];
-            row.position = point;
+        let Some(master) = master_surface(start, pair) else { continue };
+        let nodes = pair.master.deforming_nodes();
+        let at: Vec<[f64; 3]> = nodes.iter().map(|&n| start.model.nodes.position(n)).collect();
+        for row in filled.iter_mut().filter(|row| row.pair == place) {
+            match &master {
+                MasterSurface::Line(line, _) if pair.formulation == Formulation::Mortar => {
+                    let piece = line.closest(&at, Nearby::Positions, row.position);
+                    let gap =
+                        piece.and_then(|own| chain_overclosure(line, &own, &at, row.position));
+                    row.along = gap.map_or(row.along, |[_, along]| along);
+                }
+                MasterSurface::Body(surface, _)
+                    if pair.formulation == Formulation::SurfaceToSurface
+                        && row.opening.is_infinite() =>
+                {
+                    fill_gap(surface, (start.model.nodes.position(row.node), pair.offset), row);
+                }
+                _ => {}
+            }
         }
     }
     start.points = filled;
+}
+
+/// The gap of a slave node, off its line by that much, to a surface that stands still.
+fn fill_gap(surface: &RigidSurface, (point, offset): ([f64; 3], Offset), row: &mut ContactRow) {
+    let still = Body::STILL;
+    let facing = surface.closest(&still, point);
+    let at = (point, offset);
+    if let Some(gap) = facing.and_then(|facing| surface.gap::<Linear>(&still, &facing, at)) {
+        row.opening = -gap.overclosure();
+        row.normal = gap.normal();
+        row.along = gap.along()[0];
+        row.position = point;
+    }
 }
 
 fn master_surface(start: &Start<'_>, pair: &ContactPair) -> Option<MasterSurface> {

@@ -275,7 +275,7 @@ fn too_short(
     let places: Option<Vec<(f64, NodeIndex)>> = start
         .facing(place)
         .filter(|row| row.opening <= near)
-        .map(|row| beyond_end(start, line, place_along(start, line, row.position) + passed))
+        .map(|row| beyond_end(start, line, row.along + passed))
         .collect();
     let (beyond, node) = places?.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
     let message = format!(
@@ -289,24 +289,6 @@ fn too_short(
         "{} on that side, or end the motion earlier on *BOUNDARY",
         pair.vocabulary.lengthen_chain()
     ))))
-}
-
-/// Where on a slide line a point stands, from its first node [L].
-fn place_along(start: &Start<'_>, line: &SlideLine, point: [f64; 3]) -> f64 {
-    let (mut passed, mut nearest) = (0.0, (f64::INFINITY, 0.0));
-    for ends in line.nodes.windows(2) {
-        let from = start.model.nodes.position(ends[0]);
-        let way = less(start.model.nodes.position(ends[1]), from);
-        let (long, off) = (length(way), less(point, from));
-        let by = way.iter().zip(off).map(|(a, b)| a * b).sum::<f64>() / long.powi(2);
-        let foot = by.clamp(0.0, 1.0);
-        let apart = length(less(off, way.map(|x| foot * x)));
-        if apart < nearest.0 {
-            nearest = (apart, passed + foot * long);
-        }
-        passed += long;
-    }
-    nearest.1
 }
 
 /// How far a place is beyond an end of a slide line [L], and that end.

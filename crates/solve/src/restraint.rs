@@ -6,7 +6,7 @@
 //! ```
 //!
 //! Decided from the structure: nodes that beams and rigid links join move as one
-//! body, supports and springs to ground give rows for its rigid motion. A tangent
+//! body, supports, springs to ground and equations to what is prescribed give rows for its rigid motion. A tangent
 //! that happens to be singular proves nothing of a body that is held: there the
 //! structure has reached a limit of its strength, or numbers one of theirs.
 
@@ -38,6 +38,9 @@ pub struct RigidMotion {
 /// Coefficients of a rigid motion: along the three axes, and about them.
 type Motion = [f64; 6];
 
+/// A dof with a factor.
+type Term = (NodeIndex, Dof, f64);
+
 impl Restraint {
     /// That of a step. Rotations count with the size of the model, so that the
     /// units of length decide nothing.
@@ -56,13 +59,12 @@ impl Restraint {
             to_ground.then_some((spring.nodes[0], dof))
         });
         let held = held.chain(springs).chain(presence.rings(&model.blocks));
-        let held: Vec<(NodeIndex, Dof)> = held.collect();
+        let held: Vec<Term> = held.map(|(node, dof)| (node, dof, 1.0)).collect();
         let mut rows: HashMap<NodeIndex, Vec<Motion>> = HashMap::new();
-        let single = held.into_iter().map(|(node, dof)| vec![(node, dof, 1.0)]);
-        for terms in single.chain(tethers) {
+        for terms in held.chunks(1).chain(tethers.iter().map(Vec::as_slice)) {
             let root = bodies.root(terms[0].0);
             let mut row = [0.0; 6];
-            for (node, dof, factor) in terms {
+            for &(node, dof, factor) in terms {
                 let (at, origin) = (model.nodes.position(node), model.nodes.position(root));
                 let arm: [f64; 3] = std::array::from_fn(|axis| match size > 0.0 {
                     true => (at[axis] - origin[axis]) / size,
@@ -179,7 +181,7 @@ impl Bodies {
 
     /// What equations hold of single bodies, the rest of whose terms is prescribed in the step. Several bodies that an
     /// equation or a tie joins are taken as one from then on: it may hold.
-    fn tethers(&mut self, model: &Model, step: &Step) -> Vec<Vec<(NodeIndex, Dof, f64)>> {
+    fn tethers(&mut self, model: &Model, step: &Step) -> Vec<Vec<Term>> {
         let prescribed: HashSet<(NodeIndex, Dof)> =
             step.prescribed.iter().map(|own| (own.node, own.dof)).collect();
         let (mut tethers, mut joints) = (Vec::new(), Vec::new());

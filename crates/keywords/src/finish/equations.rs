@@ -95,7 +95,7 @@ pub(super) fn twice(draft: &mut Draft, (node, dof): (NodeIndex, Dof), first: Spa
 pub(super) fn beside_cut(error: Diagnostic, node: NodeIndex, draft: &Draft) -> Diagnostic {
     let label = draft.model.nodes.label(node);
     let original = draft.uncut(label);
-    if original == label {
+    if !draft.behind_cuts.get(&original).is_some_and(|own| own.contains(&label)) {
         return error;
     }
     error.help(format!(

@@ -443,7 +443,10 @@ fn absolute_amplitudes_stand_for_the_numbers() {
             FAMILIES.into_iter().chain([("motion", motion as fn(&str, Option<f64>) -> String)]);
         for (name, family) in families {
             let own = unit(&family("", Some(1.0)), dialect);
-            let cards = curve.to_owned() + &family(", AMPLITUDE=ABS", Some(4.0));
+            // a named support holds, whatever the curve
+            let cards = curve.to_owned()
+                + &family(", AMPLITUDE=ABS", Some(4.0))
+                + "*BOUNDARY, AMPLITUDE=ABS\n1, PINNED\n";
             for row in run(&step(1.0, "", &cards), dialect) {
                 faults.extend(fault(&row, &[(3.0 * factor * row.time, &own)], name));
             }

@@ -64,21 +64,18 @@ impl Contact {
     /// Behind every face of a slave that meets its master at nodes.
     fn behind_slaves(&self, parts: &Parts) -> Vec<Behind> {
         let mut all = vec![Behind::UNKNOWN; self.slave_faces.len()];
-        let of_pair = |pair: usize| {
-            let points = self.points.iter().filter(move |point| point.pair == pair);
-            let mut own: Vec<usize> =
-                points.flat_map(|point| point.faces.iter().copied()).collect();
-            own.sort_unstable();
-            own.dedup();
-            own
-        };
-        for own in (0..self.own_pairs()).map(of_pair) {
-            let ends = |&face: &usize| match &self.slave_faces[face].corners[..] {
+        let own = self.points.iter().filter(|point| point.pair < self.own_pairs());
+        let faces = own.flat_map(|point| point.faces.iter().map(|&face| (point.pair, face)));
+        let mut faces: Vec<(usize, usize)> = faces.collect();
+        faces.sort_unstable();
+        faces.dedup();
+        for own in faces.chunk_by(|one, other| one.0 == other.0) {
+            let ends = |&(_, face): &(usize, usize)| match &self.slave_faces[face].corners[..] {
                 [(a, ..), (b, ..)] => Some([*a, *b]),
                 _ => None,
             };
             let behind = parts.of_surface(own.iter().map(ends));
-            own.into_iter().zip(behind).for_each(|(face, behind)| all[face] = behind);
+            own.iter().zip(behind).for_each(|(&(_, face), behind)| all[face] = behind);
         }
         all
     }

@@ -62,7 +62,7 @@ impl LinearisedContact {
         false
     }
 
-    /// Newton by other stiffnesses than those that rows feel; says whether the laws are met by these.
+    /// Newton by other stiffnesses than those that rows feel; says whether the laws are met by those that they feel.
     fn newton_by(
         &mut self,
         stiffness: impl Fn(&Row) -> f64,

@@ -159,7 +159,7 @@ impl Scratch {
     fn follow_secants(&mut self, plan: &Problem<'_>) {
         // without contact the tangent lacks nothing; downhill every step has a stiffness of its own
         let is_downhill = self.relaxation.stiffness > 0.0;
-        if !self.secants.are_followed() || plan.contact.points.is_empty() || is_downhill {
+        if !self.secants.is_wanted || plan.contact.points.is_empty() || is_downhill {
             return;
         }
         let Self { secants, correction, points, pressures, tractions, .. } = self;
@@ -171,8 +171,9 @@ impl Scratch {
         }
         let moved = correction.iter().enumerate().filter(|own| moves(own.0));
         let is_far = moved.fold(0.0_f64, |most, own| most.max(own.1.abs())) > plan.reach;
-        if is_far || self.limit_turns(plan) < 1.0 {
-            self.secants.take_back(&mut self.correction, &mut self.points);
+        match is_far || self.limit_turns(plan) < 1.0 {
+            true => self.secants.take_back(&mut self.correction, &mut self.points),
+            false => self.secants.were_followed = true,
         }
     }
 

@@ -63,11 +63,6 @@ impl Secants {
         self.used = 0;
     }
 
-    /// Whether they are followed in this attempt.
-    pub(super) fn are_followed(&self) -> bool {
-        self.is_wanted
-    }
-
     /// Notes an iteration: its correction, and the multipliers to which the linear solution came, those of `points`
     /// and for the others these pressures and tractions.
     pub(super) fn note(
@@ -77,9 +72,9 @@ impl Secants {
         (pressures, tractions): (&[f64], &[Tangential]),
     ) {
         let own = self.next();
-        copy(correction, &mut own.correction);
-        copy(pressures, &mut own.pressures);
-        copy(tractions, &mut own.tractions);
+        correction.clone_into(&mut own.correction);
+        pressures.clone_into(&mut own.pressures);
+        tractions.clone_into(&mut own.tractions);
         for linear in points.iter() {
             own.pressures[linear.place] = linear.pressure;
             own.tractions[linear.place] = linear.traction();
@@ -102,8 +97,7 @@ impl Secants {
                 points[place].move_by(pressure, traction);
             }
         }
-        self.were_followed |= factors.is_some();
-        copy(correction, &mut self.all[self.used - 1].way);
+        correction.clone_into(&mut self.all[self.used - 1].way);
         factors.is_some()
     }
 
@@ -111,7 +105,7 @@ impl Secants {
     pub(super) fn take_back(&mut self, correction: &mut [f64], points: &mut LinearPoints) {
         let own = &mut self.all[self.used - 1];
         correction.copy_from_slice(&own.correction);
-        copy(correction, &mut own.way);
+        correction.clone_into(&mut own.way);
         for place in 0..points.len() {
             let of = points[place].place;
             points[place].take(own.pressures[of], own.tractions[of]);
@@ -187,12 +181,6 @@ impl Secants {
     }
 }
 
-/// A list in place of another one, room kept.
-fn copy<T: Copy>(from: &[T], into: &mut Vec<T>) {
-    into.clear();
-    into.extend_from_slice(from);
-}
-
 /// Solves the normal equations of changes, the newest first, whose products are the lower part of `gram`; changes that
 /// the newer ones hold are left out. Also what is explained of the square of the right side.
 fn least_squares(mut gram: [[f64; DEPTH]; DEPTH], mut right: [f64; DEPTH]) -> ([f64; DEPTH], f64) {
@@ -255,18 +243,17 @@ mod tests {
             let missing: Vec<_> = (0..ways).map(across).collect();
             let iterate = |follows: bool, most: usize| {
                 let (mut secants, mut x) = (Secants::default(), vec![0.0; SIZE]);
+                let mut points = LinearPoints::default();
                 for iteration in 0..most {
                     let mut step = correction(&missing, &x);
                     let size = step.iter().fold(0.0_f64, |most, d| most.max(d.abs()));
                     if size < 1e-10 {
                         return Some(iteration);
                     }
-                    secants.next().correction.clone_from(&step);
-                    if let Some(factors) = secants.factors(|_| true).filter(|_| follows) {
-                        secants.turn(&factors, &mut step);
+                    secants.note(&step, &points, (&[], &[]));
+                    if follows {
+                        secants.follow(|_| true, &mut step, &mut points);
                     }
-                    let last = secants.used - 1;
-                    secants.all[last].way.clone_from(&step);
                     x.iter_mut().zip(&step).for_each(|(x, step)| *x += step);
                 }
                 None

@@ -71,7 +71,7 @@ pub struct ContactRow {
     pub slip: Tangential,
     /// These directions [1].
     pub directions: [[f64; 3]; 2],
-    /// Tributary area [L2].
+    /// Tributary area, of slave faces that are covered in part the part that is covered [L2].
     pub area: f64,
     /// Whether friction was called.
     pub friction: FrictionCall,
@@ -79,7 +79,7 @@ pub struct ContactRow {
     pub position: [f64; 3],
     /// Outward normal of the master there [1].
     pub normal: [f64; 3],
-    /// Place on the master along its direction of travel [L].
+    /// Place on the master along its direction of travel; of contact over faces the slip since it closed [L].
     pub along: f64,
     /// Friction work that this increment dropped [F L]; see the ledger.
     pub dropped_work: f64,
