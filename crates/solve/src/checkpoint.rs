@@ -169,7 +169,7 @@ mod tests {
             opening: f64::INFINITY,
             ..PointState::default()
         };
-        state.balance_origin = Some(0.3);
+        (state.balance_origin, state.by_secants) = (Some(0.3), true);
         state.energy.released_energy = 0.125;
         state.books = Books { turned_over: 2.0, worst_at: [2, 7], ..Books::default() };
         Checkpoint {

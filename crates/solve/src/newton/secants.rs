@@ -264,6 +264,20 @@ mod tests {
         }
     }
 
+    /// Requirement: the first attempt at an increment follows secants where the state says that the last increment ended by
+    /// them, whatever was attempted before it; later attempts go on as the one before was told.
+    #[test]
+    fn what_is_wanted_comes_from_the_state() {
+        let mut secants = Secants { is_wanted: true, were_followed: true, ..Secants::default() };
+        secants.begin(true, false);
+        assert!(!secants.is_wanted && !secants.were_followed);
+        secants.is_wanted = true; // an attempt was too slow
+        secants.begin(false, false);
+        assert!(secants.is_wanted);
+        secants.begin(true, true);
+        assert!(secants.is_wanted);
+    }
+
     /// Requirement: changes that depend on newer ones are left out, and explain nothing twice.
     #[test]
     fn changes_that_depend_on_others() {
