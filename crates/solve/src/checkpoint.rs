@@ -11,7 +11,7 @@
 //! was never left: an increment depends on nothing but these values and the
 //! model. [derived]
 
-use crate::contact::contact_sizes;
+use crate::contact::{NearContact, contact_sizes};
 use crate::dofs::DofMap;
 use crate::heaviest::Heaviest;
 use crate::increments::Control;
@@ -47,6 +47,8 @@ pub struct Checkpoint<'a> {
     pub(crate) control: Option<Control>,
     /// Pairs where they have carried most so far.
     pub(crate) heaviest: Cow<'a, [Heaviest]>,
+    /// The contact that the pattern of the tangent holds.
+    pub(crate) near: NearContact<'a>,
 }
 
 impl Checkpoint<'_> {
@@ -56,6 +58,7 @@ impl Checkpoint<'_> {
             state: Cow::Owned(self.state.clone().into_owned()),
             start: self.start.owned(),
             heaviest: Cow::Owned(self.heaviest.clone().into_owned()),
+            near: self.near.owned(),
             ..*self
         }
     }
@@ -66,6 +69,7 @@ impl Checkpoint<'_> {
             state: Cow::Borrowed(&self.state),
             start: self.start.borrowed(),
             heaviest: Cow::Borrowed(&self.heaviest),
+            near: self.near.borrowed(),
             ..*self
         }
     }
@@ -153,6 +157,7 @@ impl Checkpoint<'_> {
 mod tests {
     use super::*;
     use crate::books::Books;
+    use crate::contact::Candidates;
     use crate::observe::results::{FrictionCall, Status};
     use crate::state::PointState;
     use slideline_mech::contact::tangential::Tangential;
@@ -195,6 +200,15 @@ mod tests {
                 falls_away: 0.1,
                 ..Heaviest::default()
             }]),
+            near: NearContact {
+                candidates: Cow::Owned(vec![
+                    Candidates::All,
+                    Candidates::Nodes(3..7),
+                    Candidates::Faces(vec![2, 300]),
+                    Candidates::Met(vec![5]),
+                ]),
+                is_lenient: true,
+            },
         }
     }
 

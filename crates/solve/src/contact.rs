@@ -61,7 +61,7 @@ mod values;
 mod within;
 
 pub use before::Before;
-pub use candidates::{Candidates, Reached, coupled_parts};
+pub use candidates::{Candidates, NearContact, Reached, coupled_parts};
 pub use cliques::Cliques;
 pub use crossing::{Missed, Sweep, SweepScratch};
 pub use edges::EdgeInside;

@@ -7,7 +7,7 @@
 //! ```
 
 use crate::constraints::{Constraints, Rows};
-use crate::contact::{Contact, PointRows};
+use crate::contact::{Candidates, Contact, PointRows};
 use crate::continued::Continued;
 use crate::dofs::DofMap;
 use crate::linear_systems::LinearSystems;
@@ -43,6 +43,8 @@ pub struct Problem<'a> {
     pub contact: &'a Contact,
     /// Sparsity of the tangent.
     pub pattern: &'a Pattern,
+    /// Parts of their masters that it lets points touch, where these are not all.
+    pub near: &'a [Candidates],
     /// Dofs that belong to elements.
     pub elastic: &'a [bool],
     /// Largest coordinate of the model [L].
@@ -118,6 +120,7 @@ impl<'a> Problem<'a> {
             structure,
             contact: &values.contact,
             pattern: &coupling.pattern,
+            near: &coupling.near,
             elastic: &plan.elastic,
             reach: values.reach,
             lever: values.lever,

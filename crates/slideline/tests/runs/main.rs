@@ -16,6 +16,7 @@ mod section_print;
 mod sensitivities;
 mod sensitivity_decks;
 mod solid_files;
+mod taken_up;
 mod time_error_bars;
 mod too_large;
 mod user_element;

@@ -15,10 +15,12 @@ use super::facing::Standing;
 use super::master::MasterSurface;
 use super::mortar::place::MortarRoom;
 use super::mortar_faces::place::FaceRoom;
-use super::pairs::{Carrier, Contact};
+use super::pairs::{Carrier, Contact, SlavePoint};
 use super::positions::{MasterPositions, distance};
 use crate::state::PointState;
+use serde::{Deserialize, Serialize};
 use slideline_mech::contact::search::outlook::Outlook;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -41,7 +43,7 @@ pub fn coupled_parts(points: f64, nodes: f64) -> f64 {
 }
 
 /// What of its master a point may touch.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Candidates {
     /// Any part.
     All,
@@ -60,6 +62,29 @@ pub struct Reached {
     pub displacement: Vec<f64>,
     /// Of every point that left it the dofs that it coupled.
     pub met: Vec<Vec<usize>>,
+}
+
+/// The contact that a pattern holds. In what order unknowns are eliminated hangs on the pattern,
+/// and the last digits on that order: a run that goes on takes up the pattern that it had.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct NearContact<'a> {
+    /// Candidates of the points; empty where every point has all.
+    pub candidates: Cow<'a, [Candidates]>,
+    /// Whether couplings of contact may be missing from the pattern.
+    pub is_lenient: bool,
+}
+
+impl NearContact<'_> {
+    /// The same, its list borrowed.
+    pub fn borrowed(&self) -> NearContact<'_> {
+        NearContact { candidates: Cow::Borrowed(&self.candidates), ..*self }
+    }
+
+    /// The same, to be kept.
+    pub fn owned(&self) -> NearContact<'static> {
+        let candidates = Cow::Owned(self.candidates.clone().into_owned());
+        NearContact { candidates, ..*self }
+    }
 }
 
 impl Candidates {
@@ -91,6 +116,35 @@ impl Contact {
     /// Whether some pair has so many couplings: then where contact is decides on the pattern.
     pub fn roams(&self) -> bool {
         (0..self.masters.len()).any(|pair| self.is_selective(pair))
+    }
+
+    /// Whether candidates may be those of its points: everything that they name is there, among so
+    /// many dofs. A saved list need not be.
+    pub fn may_have(&self, candidates: &[Candidates], dofs: usize) -> bool {
+        if !self.roams() {
+            return candidates.is_empty();
+        }
+        let points = self.points.len().min(candidates.len());
+        let (of_points, met) = candidates.split_at(points);
+        let is_of =
+            |(point, own): (&SlavePoint, &Candidates)| match (own, &self.masters[point.pair]) {
+                (Candidates::All, master) => !matches!(master, MasterSurface::Faces { .. }),
+                (Candidates::Faces(faces), MasterSurface::Faces { mesh, .. }) => {
+                    faces.iter().all(|&face| face < mesh.faces().len())
+                }
+                (Candidates::Nodes(range), MasterSurface::Line { nodes, .. }) => {
+                    range.start <= range.end && range.end <= nodes.len()
+                }
+                (Candidates::Nodes(range), _) => range.is_empty(),
+                _ => false,
+            };
+        let is_met = |own: &Candidates| match own {
+            Candidates::Met(own) => own.iter().all(|&dof| dof < dofs),
+            _ => false,
+        };
+        points == self.points.len()
+            && self.points.iter().zip(of_points).all(is_of)
+            && met.iter().all(is_met)
     }
 
     /// Candidates of all points that have not all nodes of their master, near at displacements

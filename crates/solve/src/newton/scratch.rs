@@ -145,18 +145,27 @@ pub struct Scratch {
 }
 
 impl Scratch {
-    /// Finds the linear system of a step of the plan, with the contact that is near in these
-    /// states, or analyses it: of a kind, and where that is unsymmetric nearly symmetric or not.
-    /// Gives the coupling of its unknowns.
+    /// Finds which contact is near in these states.
+    pub fn find_near(&mut self, contact: &Contact, states: (&[f64], &[Reached], &[PointState])) {
+        contact.candidates(states, &mut self.positions, &mut self.near);
+    }
+
+    /// Takes up the contact that was near where a run was left.
+    pub fn recall_near(&mut self, candidates: &[Candidates]) {
+        self.near.clear();
+        self.near.extend_from_slice(candidates);
+    }
+
+    /// Finds the linear system of a step of the plan with the contact that is near, or analyses it:
+    /// of a kind, and where that is unsymmetric nearly symmetric or not. Gives the coupling of its
+    /// unknowns.
     pub fn couple(
         &mut self,
         (plan, own): (&Numbering, usize),
         (values, contact): (&Values, &Contact),
         (kind, nearly_symmetric): (Kind, bool),
-        states: (&[f64], &[Reached], &[PointState]),
         linear_systems: &LinearSystems,
     ) -> Coupling {
-        contact.candidates(states, &mut self.positions, &mut self.near);
         let (systems, near) = (&mut self.systems, &self.near[..]);
         let fits = |system: &System| {
             (system.step, system.kind) == (own, kind) && *system.coupling.near == *near

@@ -2,7 +2,7 @@
 
 use super::analysis::{Analysis, Left};
 use crate::checkpoint::Checkpoint;
-use crate::contact::Reached;
+use crate::contact::{Contact, NearContact, Reached};
 use crate::increments::{Control, Decision, Verdict};
 use crate::newton::Scratch;
 use crate::observe::{Ending, Event};
@@ -108,19 +108,16 @@ impl Analysis<'_> {
         let mut begun = false;
         loop {
             let own = (plan, plan.of_step[number - 1]);
-            let (here, points) = (&self.committed.displacement[..], &self.committed.points[..]);
-            let states = (here, &self.reached[..count], points);
-            let coupling = work.couple(
-                own,
-                (values, contact),
-                (kind, nearly),
-                states,
-                self.means.linear_systems,
-            );
+            let left = from.filter(|_| !begun).map(|from| &from.near);
+            self.near(contact, (left, count), work);
+            let systems = self.means.linear_systems;
+            let coupling = work.couple(own, (values, contact), (kind, nearly), systems);
             let means = self.means;
             let at = (model, number - 1);
             let problem = Problem::new(at, (plan, values), &coupling, start, means);
-            let is_lenient = count > MOST_REACHED;
+            // a pattern that may be left is not made anew in its step
+            let was_lenient = from.is_some_and(|from| from.near.is_lenient);
+            let is_lenient = was_lenient || count > MOST_REACHED;
             let structure = Structure { kernels, ..problem.structure };
             let enforcement = self.enforcement;
             let problem = Problem { is_lenient, enforcement, contact, structure, ..problem };
@@ -152,6 +149,21 @@ impl Analysis<'_> {
             reached.met.clone_from(&work.met);
             count += 1;
             control = Some(outside);
+        }
+    }
+
+    /// Finds which contact the pattern is to hold: near the committed state and where contact
+    /// reached in `count` states, or what it held where the run was `left`.
+    fn near(
+        &self,
+        contact: &Contact,
+        (left, count): (Option<&NearContact<'_>>, usize),
+        work: &mut Scratch,
+    ) {
+        let (here, points) = (&self.committed.displacement[..], &self.committed.points[..]);
+        match left.filter(|own| contact.may_have(&own.candidates, here.len())) {
+            Some(own) => work.recall_near(&own.candidates),
+            None => work.find_near(contact, (here, &self.reached[..count], points)),
         }
     }
 

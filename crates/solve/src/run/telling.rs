@@ -3,6 +3,7 @@
 use super::analysis::{Analysis, Left};
 use super::shown::{Numbers, frame};
 use crate::checkpoint::Checkpoint;
+use crate::contact::NearContact;
 use crate::diagnose;
 use crate::increments::{Control, Decision, Verdict};
 use crate::newton::{Outcome, Scratch, attempt};
@@ -168,6 +169,7 @@ impl Analysis<'_> {
             start: plan.start.borrowed(),
             control,
             heaviest: Cow::Borrowed(&self.rows.heaviest.pairs),
+            near: NearContact { candidates: Cow::Borrowed(plan.near), is_lenient: plan.is_lenient },
         };
         match self.observer.event(Event::Checkpoint(&checkpoint)) {
             ControlFlow::Continue(()) => Ok(()),

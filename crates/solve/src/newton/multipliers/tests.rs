@@ -55,7 +55,8 @@ fn work(
     let mut work = Scratch::default();
     let states = (&committed.displacement[..], &[][..], &committed.points[..]);
     let (values, symmetry) = ((&prepared.values, plan.contact), (plan.kind(), false));
-    work.couple((&prepared.plan, 0), values, symmetry, states, &prepared.linear_systems);
+    work.find_near(plan.contact, states);
+    work.couple((&prepared.plan, 0), values, symmetry, &prepared.linear_systems);
     work.fit(plan);
     // stresses of the law: the tangent is that of the residual
     (work.line_search, work.dt) = (true, 1.0);
