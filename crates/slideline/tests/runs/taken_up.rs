@@ -15,26 +15,33 @@ use slideline::{Checkpoint, Event, Job, Observer, ReadOptions, SolveOptions, Sto
 use std::fmt::Write;
 use std::ops::ControlFlow;
 
-/// Every state from which a run can go on.
-#[derive(Default)]
-struct Saved(Vec<Checkpoint<'static>>);
+/// States from which a run can go on: all of them, or the first alone.
+struct Saved(Vec<Checkpoint<'static>>, bool);
 
 impl Observer for Saved {
     fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
         if let Event::Checkpoint(checkpoint) = event {
             self.0.push(checkpoint.owned());
+            if self.1 {
+                return ControlFlow::Break(Stop::Interrupted);
+            }
         }
         ControlFlow::Continue(())
     }
 }
 
-/// A grid of elements in the plane, `cells` along and up, from a corner, its nodes and elements
-/// numbered from `first` on.
-fn grid(deck: &mut String, (first, name): (usize, &str), from: [f64; 2], cells: [usize; 2]) {
+/// A grid of elements in the plane, `cells` of a size along and up, from a corner, its nodes and
+/// elements numbered from `first` on.
+fn grid(
+    deck: &mut String,
+    (first, name): (usize, &str),
+    (from, size): ([f64; 2], f64),
+    cells: [usize; 2],
+) {
     let width = cells[0] + 1;
     *deck += "*NODE\n";
     for (row, column) in (0..=cells[1]).flat_map(|row| (0..width).map(move |c| (row, c))) {
-        let (x, y) = (from[0] + 0.25 * column as f64, from[1] + 0.25 * row as f64);
+        let (x, y) = (from[0] + size * column as f64, from[1] + size * row as f64);
         writeln!(deck, "{}, {x:?}, {y:?}", first + row * width + column).unwrap();
     }
     writeln!(deck, "*ELEMENT, TYPE=CPE4, ELSET={name}").unwrap();
@@ -50,39 +57,58 @@ fn grid(deck: &mut String, (first, name): (usize, &str), from: [f64; 2], cells: 
     writeln!(deck, "*SURFACE, NAME={name}\n{name}").unwrap();
 }
 
-/// A block that is pressed on a long strip and slid over twelve of its elements.
-fn slid_block(kind: &str) -> Model {
-    let mut deck = String::new();
-    grid(&mut deck, (1, "STRIP"), [0.0, 0.0], [24, 2]);
-    grid(&mut deck, (1001, "BLOCK"), [0.6, 0.51], [5, 3]);
+/// A block that is pressed on a long strip, of so many elements over half a unit, and slid over half
+/// of it; then pressed all around by what follows it: the kind of the linear system changes.
+fn slid_block(kind: &str, fine: usize) -> Model {
+    let (mut deck, size) = (String::new(), 0.5 / fine as f64);
+    grid(&mut deck, (1, "STRIP"), ([0.0, 0.0], size), [12 * fine, fine]);
+    grid(&mut deck, (10_001, "BLOCK"), ([0.6, 0.51], size), [5 * fine / 2, 3 * fine / 2]);
     write!(
         deck,
         "*SOLID SECTION, ELSET=STRIP, MATERIAL=M\n1.\n*SOLID SECTION, ELSET=BLOCK, MATERIAL=M\n1.\n\
          *MATERIAL, NAME=M\n*ELASTIC\n100., 0.3\n*SURFACE INTERACTION, NAME=I\n*FRICTION\n0.2\n\
-         *CONTACT PAIR, INTERACTION=I{kind}\nBLOCK, STRIP\n*STEP, NLGEOM\n*STATIC\n0.05, 1., 1e-5, \
-         0.05\n*BOUNDARY\nSTRIPLOW, 1, 2\nBLOCKHIGH, 2, 2, -0.03\nBLOCKHIGH, 1, 1, 3.\n*END STEP\n"
+         *CONTACT PAIR, INTERACTION=I{kind}\nBLOCK, STRIP\n*STEP, NLGEOM\n*STATIC\n0.1, 1., 1e-5, \
+         0.1\n*BOUNDARY\nSTRIPLOW, 1, 2\nBLOCKHIGH, 2, 2, -0.03\nBLOCKHIGH, 1, 1, 3.\n*END STEP\n\
+         *STEP, NLGEOM\n*STATIC, DIRECT\n0.2, 1.\n*DSLOAD\nBLOCK, P, 1.\n*END STEP\n"
     )
     .unwrap();
-    let read = Job::read_text("taken", &deck, &ReadOptions::default());
+    read(&deck)
+}
+
+fn read(deck: &str) -> Model {
+    let read = Job::read_text("taken", deck, &ReadOptions::default());
     read.model.unwrap_or_else(|| panic!("{deck}\n{:#?}", read.diagnostics))
 }
 
-/// Requirement: taken up at any increment, a run over faces ends in the state, to the last bit, of
-/// the run that was never left: the pattern of the tangent is that which it had.
-#[test]
-fn a_run_that_was_left_has_the_same_bits() {
-    for kind in [", TYPE=SURFACE TO SURFACE", ", TYPE=NODE TO SURFACE"] {
-        let model = slid_block(kind);
-        let mut whole = Saved::default();
-        let ending = solve(&model, &SolveOptions::default(), &mut whole);
-        assert!(matches!(ending, Ending::Completed(_)), "{kind}: {ending:?}");
-        let (last, before) = whole.0.split_last().unwrap();
-        assert!(before.len() > 15, "{kind}: {} increments", before.len());
-        for from in before.iter().skip(2).step_by(3) {
-            let at = from.increment;
-            let mut rest = Saved::default();
-            resume(&model, &SolveOptions::default(), from.clone(), &mut rest).unwrap();
-            assert!(rest.0.last() == Some(last), "{kind}: taken up at increment {at}");
-        }
+/// Taken up at any state, the run finds the next one to the last bit.
+fn goes_on_alike(of: &str, model: &Model) {
+    let mut whole = Saved(Vec::new(), false);
+    let ending = solve(model, &SolveOptions::default(), &mut whole);
+    assert!(matches!(ending, Ending::Completed(_)), "{of}: {ending:?}");
+    assert!(whole.0.len() > 12, "{of}: {} increments", whole.0.len());
+    for (from, next) in whole.0.iter().zip(&whole.0[1..]) {
+        let mut rest = Saved(Vec::new(), true);
+        resume(model, &SolveOptions::default(), from.clone(), &mut rest).unwrap();
+        let at = (from.step, from.increment);
+        assert!(rest.0[0] == *next, "{of}: taken up at {at:?}");
     }
+}
+
+/// Requirement: a run over faces has the same bits, wherever it was left: the pattern of the tangent
+/// is that which it had, and the linear system that of its step.
+#[test]
+fn what_slides_goes_on_alike() {
+    for (kind, fine) in [("SURFACE TO SURFACE", 2), ("NODE TO SURFACE", 2), ("NODE TO SURFACE", 6)]
+    {
+        let model = slid_block(&format!(", TYPE={kind}"), fine);
+        goes_on_alike(&format!("{kind}, {fine}"), &model);
+    }
+}
+
+/// Requirement: so does a snap that slides off the ends of its faces and edges: what faces nothing
+/// has no history of it.
+#[test]
+fn what_snaps_goes_on_alike() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../corpus/new/annular.inp");
+    goes_on_alike("annular", &read(&std::fs::read_to_string(path).unwrap()));
 }

@@ -216,7 +216,8 @@ impl Contact {
         };
         let work = |(then, now): (&PointState, &PointState)| {
             let mean = 0.5 * (then.area * then.pressure + now.area * now.pressure);
-            if mean == 0.0 { 0.0 } else { mean * (then.allowed - now.allowed) }
+            let is_held = mean != 0.0 && now.along.is_some();
+            if is_held { mean * (then.allowed - now.allowed) } else { 0.0 }
         };
         then.iter().zip(now).map(work).sum()
     }

@@ -223,7 +223,7 @@ impl PointRowsMut<'_> {
         self.point.faces = false;
         self.point.facing = None;
         self.point.footing = None;
-        self.point.overclosure = f64::NEG_INFINITY;
+        (self.point.overclosure, self.point.allowed) = (f64::NEG_INFINITY, 0.0);
         self.rows.clear();
     }
 

@@ -36,7 +36,8 @@ const ROWS: usize = 18;
 pub(super) struct System {
     /// Index of the step's numbering.
     pub(super) step: usize,
-    pub(super) kind: Kind,
+    /// Its kind, and whether one that is unsymmetric is nearly symmetric.
+    pub(super) kind: (Kind, bool),
     pub(super) coupling: Coupling,
     pub(super) solver: Solver,
     /// Why it is too large, if it is.
@@ -163,7 +164,7 @@ impl Scratch {
         &mut self,
         (plan, own): (&Numbering, usize),
         (values, contact): (&Values, &Contact),
-        (kind, nearly_symmetric): (Kind, bool),
+        kind: (Kind, bool),
         linear_systems: &LinearSystems,
     ) -> Coupling {
         let (systems, near) = (&mut self.systems, &self.near[..]);
@@ -180,8 +181,9 @@ impl Scratch {
                     let contact = (contact, near);
                     Coupling::new(&plan.elements, &step.dependent, constraints, contact)
                 });
+                let (symmetry, nearly_symmetric) = kind;
                 let interface = Interface { equations: &coupling.interface, nearly_symmetric };
-                let of = (&coupling.pattern, kind);
+                let of = (&coupling.pattern, symmetry);
                 let solver = Solver::analyse_for(of, linear_systems.factory(), &interface);
                 let needed = memory::bytes(&solver.description());
                 let kept = systems.iter().map(|system| memory::bytes(&system.solver.description()));
