@@ -32,7 +32,7 @@ mod turns;
 
 pub use assembly::{TOUCH, augmentation_stiffness};
 pub use attempt::attempt;
-pub use near::Rates;
+pub use near::{Rates, WholeTangent};
 pub use outcome::Outcome;
 pub use questions::Jammed;
 pub use recall::recall_points;

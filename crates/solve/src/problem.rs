@@ -160,6 +160,13 @@ impl<'a> Problem<'a> {
         self.step.unsymmetric == Some(false) && (rubs() || contact.has_unsymmetric_mortar())
     }
 
+    /// Whether the deck wants the symmetric part of a tangent that is none: the solution is found by it, its
+    /// derivatives are not.
+    pub fn is_solved_by_symmetric_part(&self) -> bool {
+        let as_it_is = kind_of((self.model, self.step), self.contact, None);
+        as_it_is == Kind::Unsymmetric && self.kind() == Kind::Symmetric
+    }
+
     /// Whether the pattern holds all couplings of a point.
     pub fn holds(&self, point: LinearRows<'_>) -> bool {
         if self.is_lenient || !self.contact.is_selective(point.pair) {
@@ -233,9 +240,13 @@ impl<'a> Problem<'a> {
 /// The symmetry of the tangent of a step: none where there is friction, a pressure or traction that follows
 /// its face, softened contact spread over faces, contact over faces in space, or a moment about a fixed axis in space, unless the deck says otherwise.
 pub fn kind(model: &Model, step: &Step, contact: &Contact) -> Kind {
+    kind_of((model, step), contact, step.unsymmetric)
+}
+
+fn kind_of((model, step): (&Model, &Step), contact: &Contact, wanted: Option<bool>) -> Kind {
     let rubs = || contact.laws.iter().any(Laws::has_friction);
     let unsymmetric = || follows(model, step) || rubs() || contact.has_unsymmetric_mortar();
-    if step.unsymmetric.unwrap_or_else(unsymmetric) { Kind::Unsymmetric } else { Kind::Symmetric }
+    if wanted.unwrap_or_else(unsymmetric) { Kind::Unsymmetric } else { Kind::Symmetric }
 }
 
 /// Whether an unsymmetric tangent is symmetric but for what contact makes of it: its laws are kept apart,

@@ -118,6 +118,10 @@ fn solids_on_one_another() {
         |frame| frame.energy.strain_energy,
     ];
     let seen = Varied::new(&blocks(), &parameters, &responses).check(&[1e-4], 1e-6);
+    // the symmetric part of the tangent finds the run, but no derivatives
+    let symmetric = blocks().replace("*STEP, NLGEOM", "*STEP, NLGEOM, UNSYMM=NO");
+    assert_ne!(symmetric, blocks());
+    Varied::new(&symmetric, &parameters, &responses).check(&[1e-4], 1e-6);
     // the tangent tells of what moves no places: two models each, and no step of four
     for (own, models) in parameters.iter().zip(&seen.models) {
         assert_eq!(*models == 2, own.0 != "lift", "{}: {models}", own.0);
@@ -159,6 +163,42 @@ fn a_corner_that_is_held() {
     ];
     for pair in ["TYPE=SURFACE TO SURFACE\nTIP, TOP", "TYPE=NODE TO SURFACE\nTOP, TIP"] {
         Varied::new(&corner(pair), &parameters, &responses).check(&[1e-4], 1e-5);
+    }
+}
+
+/// A block over two others, spread over faces that rub, pressed down; `moved` moves its nodes.
+fn stuck_block() -> String {
+    String::from(
+        "*PARAMETER\nmoved = 0.7\nright = 2.0 + moved\npress = -0.012\nmu = 0.25\nstiff = 5000.0\n\
+         modulus = 1000.0\n*NODE\n1, 0., 0.\n2, 2., 0.\n3, 4., 0.\n4, 0., 2.\n5, 2., 2.\n6, 4., 2.\n\
+         101, <moved>, 2.01\n102, <right>, 2.01\n103, <moved>, 4.01\n104, <right>, 4.01\n\
+         *ELEMENT, TYPE=CPE4, ELSET=A\n1, 1, 2, 5, 4\n2, 2, 3, 6, 5\n*ELEMENT, TYPE=CPE4, ELSET=B\n\
+         101, 101, 102, 104, 103\n*NSET, NSET=BOTTOM\n1, 2, 3\n*NSET, NSET=TOP\n103, 104\n\
+         *SOLID SECTION, ELSET=A, MATERIAL=M\n1.\n*SOLID SECTION, ELSET=B, MATERIAL=N\n1.\n\
+         *MATERIAL, NAME=M\n*ELASTIC\n<modulus>, 0.3\n*MATERIAL, NAME=N\n*ELASTIC\n500., 0.3\n\
+         *SURFACE, NAME=SA\nA, S3\n*SURFACE, NAME=SB\nB, S1\n*SURFACE INTERACTION, NAME=I\n\
+         *FRICTION\n<mu>\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n<stiff>\n\
+         *CONTACT PAIR, INTERACTION=I, TYPE=SURFACE TO SURFACE\nSB, SA\n*STEP, NLGEOM\n\
+         *STATIC, DIRECT\n1., 1.\n*CONTROLS, PARAMETERS=FIELD\n1e-11, 1e-8\n*BOUNDARY\n\
+         BOTTOM, 1, 2\nTOP, 1, 1\nTOP, 2, 2, <press>\n*END STEP\n",
+    )
+}
+
+/// Requirement: a parameter that moves places leaves nothing behind for the next one: where faces stood at the
+/// last commit, and what slips count from, is that of each model.
+#[test]
+fn moved_places_are_those_of_one_parameter() {
+    let all =
+        [("moved", 0.7), ("press", -0.012), ("mu", 0.25), ("stiff", 5000.0), ("modulus", 1000.0)];
+    let responses: [Response; 3] = [
+        |frame| reaction(frame, 103, Dof::U2),
+        |frame| reaction(frame, 103, Dof::U1),
+        |frame| motion(frame, 101, Dof::U1),
+    ];
+    let mut back = all;
+    back.reverse();
+    for parameters in [all, back] {
+        Varied::new(&stuck_block(), &parameters, &responses).check(&[1e-4], 1e-5);
     }
 }
 

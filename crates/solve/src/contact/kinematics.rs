@@ -93,10 +93,16 @@ impl ContactKinematics {
     pub fn forget(&mut self, points: usize, room: usize, directions: usize) {
         self.points.clear();
         self.points.resize(points, PointKinematics::NOWHERE);
-        self.mortars.iter_mut().for_each(MortarRooms::forget);
-        self.face_mortars.iter_mut().for_each(FaceMortarRooms::forget);
+        self.forget_places();
         self.crossings.clear();
         self.operator.fit(points, room, directions);
+    }
+
+    /// Forgets where faces stood at the last commit: those of another model may have stood elsewhere at the
+    /// same displacements.
+    pub fn forget_places(&mut self) {
+        self.mortars.iter_mut().for_each(MortarRooms::forget);
+        self.face_mortars.iter_mut().for_each(FaceMortarRooms::forget);
     }
 
     /// A point with its rows.

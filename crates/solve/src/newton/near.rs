@@ -7,7 +7,7 @@ use crate::problem::Problem;
 use crate::stabilise;
 use crate::state::{PointState, State};
 use crate::target::Target;
-use slideline_linalg::{SolveError, Solver, Use};
+use slideline_linalg::{Interface, Kind, Pattern, SolveError, Solver, Use};
 use slideline_mech::contact::tangential::Tangential;
 
 /// How the unknowns of an increment follow a parameter.
@@ -19,6 +19,23 @@ pub struct Rates {
     pub pressures: Vec<f64>,
     /// Tractions likewise.
     pub tractions: Vec<Tangential>,
+}
+
+/// The linear system of a tangent as it is, where the run is solved by its symmetric part.
+#[derive(Default)]
+pub struct WholeTangent(Option<(Pattern, Solver)>);
+
+impl WholeTangent {
+    fn solver(&mut self, plan: &Problem<'_>) -> &mut Solver {
+        let known = self.0.take().filter(|(pattern, _)| pattern == plan.pattern);
+        let (_, solver) = self.0.insert(known.unwrap_or_else(|| {
+            let (of, factory) = ((plan.pattern, Kind::Unsymmetric), plan.means.linear_systems);
+            let new = Solver::analyse_for(of, factory.factory(), &Interface::default());
+            (plan.pattern.clone(), new)
+        }));
+        solver.set_units(plan.units);
+        solver
+    }
 }
 
 impl Rates {
@@ -57,6 +74,11 @@ impl Scratch {
         moved.for_each(|(traction, &rate)| *traction += h * rate);
         self.standing.clone_from(&of.standing);
         self.evaluate_there(plan, committed, target);
+    }
+
+    /// Forgets where faces stood at the last commit: another model is evaluated next.
+    pub fn forget_places(&mut self) {
+        self.evaluation.kinematics.forget_places();
     }
 
     /// Stands where the converged trial `of` stands, with all that the time prescribes in a
@@ -189,15 +211,19 @@ impl Scratch {
         self.evaluation.fit(plan);
     }
 
-    /// Factors the tangent of the converged trial with these values.
+    /// Factors the tangent of the converged trial with these values: all of it.
     ///
     /// Errors: the solver's.
-    pub fn factor_converged(
-        &mut self,
+    pub fn factor_converged<'a>(
+        &'a mut self,
         plan: &Problem<'_>,
         values: &[f64],
-    ) -> Result<&mut Solver, SolveError> {
-        let solver = solver(&mut self.systems);
+        whole: &'a mut WholeTangent,
+    ) -> Result<&'a mut Solver, SolveError> {
+        let solver = match plan.is_solved_by_symmetric_part() {
+            true => whole.solver(plan),
+            false => solver(&mut self.systems),
+        };
         solver.set_use(Use::Many);
         solver.refactor(plan.pattern, values)?;
         Ok(solver)

@@ -16,7 +16,7 @@ mod settle;
 mod told;
 
 use crate::contact::MovingPoints;
-use crate::newton::Scratch;
+use crate::newton::{Scratch, WholeTangent};
 use crate::observe::{Event, Near, Observer, Sensitivity, Stop};
 use crate::sensitivity::{
     Border, Level, Side, Surroundings, Tries, Try, Varied, Weights, combine_states, move_state,
@@ -46,12 +46,14 @@ impl Increment<'_> {
         if !changed {
             base.evaluate_committed(self.plan, self.old, self.target, self.new);
         }
-        let mut kept = std::mem::take(&mut room.kept);
-        let told = self.courses(varied, (&base, work, room), &mut kept, observer);
+        let (mut kept, mut whole) =
+            (std::mem::take(&mut room.kept), std::mem::take(&mut room.whole));
+        let of_tangent = (&mut kept, &mut whole);
+        let told = self.courses(varied, (&base, work, room), of_tangent, observer);
         if changed {
             std::mem::swap(&mut base.evaluation, &mut work.evaluation);
         }
-        (room.base, room.kept) = (base, kept);
+        (room.base, room.kept, room.whole) = (base, kept, whole);
         told
     }
 
@@ -59,7 +61,7 @@ impl Increment<'_> {
         &self,
         varied: &mut Varied,
         (base, work, room): (&Scratch, &mut Scratch, &mut Room),
-        kept: &mut Kept,
+        (kept, whole): (&mut Kept, &mut WholeTangent),
         observer: &mut dyn Observer,
     ) -> ControlFlow<Stop> {
         let Room { least_force, moving, .. } = &mut *room;
@@ -68,7 +70,7 @@ impl Increment<'_> {
             moving.clear();
         }
         let of_tangent = (least_force, &mut *kept, &*moving);
-        let Ok((border, solver)) = self.linearise(base, work, of_tangent) else {
+        let Ok((border, solver)) = self.linearise(base, (work, whole), of_tangent) else {
             varied.courses.iter_mut().for_each(|own| own.is_lost = true);
             return ControlFlow::Continue(());
         };
@@ -122,7 +124,7 @@ impl Increment<'_> {
     fn linearise<'w>(
         &self,
         base: &Scratch,
-        work: &'w mut Scratch,
+        (work, whole): (&'w mut Scratch, &'w mut WholeTangent),
         (least_force, kept, moving): (&mut f64, &mut Kept, &MovingPoints),
     ) -> Result<(Border, &'w mut Solver), SolveError> {
         let (plan, committed) = (self.plan, self.old);
@@ -133,7 +135,7 @@ impl Increment<'_> {
         let mut border = Border::of(&place, moving);
         border.lend(plan, &mut values);
         let equations = plan.constraints.equations();
-        let solver = work.factor_converged(plan, &values)?;
+        let solver = work.factor_converged(plan, &values, whole)?;
         border.couple(equations, solver)?;
         Ok((border, solver))
     }

@@ -2,7 +2,7 @@
 
 use super::told::Shelf;
 use crate::contact::MovingPoints;
-use crate::newton::{Rates, Scratch};
+use crate::newton::{Rates, Scratch, WholeTangent};
 use crate::problem::Problem;
 use crate::sensitivity::Bend;
 use crate::state::State;
@@ -24,6 +24,8 @@ pub struct Room {
     pub(super) shelf: Shelf,
     /// What is kept of the tangent of the base.
     pub(super) kept: Kept,
+    /// The linear system of that tangent, where it is not that of the run.
+    pub(super) whole: WholeTangent,
     pub(super) tangent: Moves,
     /// Integration points that follow the closed part of their cells.
     pub(super) moving: MovingPoints,

@@ -38,6 +38,7 @@ impl Increment<'_> {
         room: &mut Room,
     ) -> Found {
         self.guess(known, room);
+        room.sides.iter_mut().for_each(Scratch::forget_places);
         let [mut left, mut unbalanced] = [f64::INFINITY; 2];
         let points = self.old.points.iter().chain(&self.new.points);
         let pressed = points.fold(0.0, |most: f64, own| most.max(own.pressure));
