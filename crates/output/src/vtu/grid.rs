@@ -7,16 +7,18 @@ use crate::section::{axial_stresses, beams, outer_mises, space_beams};
 use slideline_model::{Dof, Model};
 use slideline_results::element::{self, AtNodes, NodalResults, nodal_results, solids};
 use slideline_results::{NodeField, contact_component, shown};
-use slideline_solve::observe::{Frame, Status, Unconverged};
+use slideline_solve::observe::{ContactRow, Frame, Status, Unconverged};
 use std::ops::Range;
 
-/// Arrays of contact, each with its component and what stands where there is no
+/// Arrays of contact across the master, each with its component and what stands where there is no
 /// contact point.
-const CONTACT: [(&str, &str, f64); 4] = [
-    ("contact_pressure", "CPRESS", 0.0),
-    ("contact_shear", "CSHEAR1", 0.0),
-    ("contact_slip", "CSLIP1", 0.0),
-    ("contact_opening", "COPEN", f64::NAN),
+const CONTACT: [(&str, &str, f64); 2] =
+    [("contact_pressure", "CPRESS", 0.0), ("contact_opening", "COPEN", f64::NAN)];
+/// Arrays of contact along the master: in the plane a number; in space a vector, for every point has
+/// directions of its own.
+const ALONG: [(&str, &str, fn(&ContactRow) -> [f64; 3]); 2] = [
+    ("contact_shear", "CSHEAR1", ContactRow::shear_in_space),
+    ("contact_slip", "CSLIP1", ContactRow::slip_in_space),
 ];
 
 /// Arrays of beams, of which the last is one of solids too.
@@ -113,7 +115,18 @@ impl Grid {
     fn push_contact(&self, text: &mut Text, frame: &Frame<'_>) {
         let (shown, count) = (shown(frame), self.drawing.labels.len());
         let copies = || self.drawing.copies(frame.model.nodes.len());
-        for (name, component, without) in CONTACT {
+        let mut numbers = CONTACT.to_vec();
+        for (name, component, in_space) in ALONG {
+            if !frame.model.is_in_space() {
+                numbers.push((name, component, 0.0));
+                continue;
+            }
+            let mut values = vec![[0.0; 3]; count];
+            shown.iter().for_each(|(&node, row)| values[node] = in_space(row));
+            copies().for_each(|(copy, node)| values[copy] = values[node]);
+            text.push_floats(name, 3, values.as_flattened());
+        }
+        for (name, component, without) in numbers {
             let mut values = vec![without; count];
             if let Some(component) = contact_component(component) {
                 shown.iter().for_each(|(&node, row)| values[node] = (component.value)(row));

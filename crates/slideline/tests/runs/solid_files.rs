@@ -503,3 +503,36 @@ fn allowables_of_solids() {
         assert!(summary.contains(said), "{place}: {summary}");
     }
 }
+
+/// Requirement: states show shear and slip of contact in space as vectors, for every point has directions of
+/// its own: those of the rows, against the slide (0.7, 0.3) of a block that is dragged obliquely, mu times the
+/// pressure where it slips.
+#[test]
+fn shear_in_space_is_a_vector() {
+    let deck = include_str!("../../../../corpus/sound/block_slides_in_space.inp");
+    let of = run("shear-vectors", deck, Dialect::Abaqus);
+    let contact = rows(&of(".contact.csv"));
+    let [step, increment] = ["step", "increment"].map(|name| contact.last().unwrap()[name]);
+    let states = (0..1000).map(|k| of(&format!("_{k:04}.vtu")));
+    let state = states.take_while(|text| !text.is_empty()).last().unwrap();
+    let [shear, slip, pressure] =
+        ["contact_shear", "contact_slip", "contact_pressure"].map(|name| values(&state, name));
+    let is_last =
+        |row: &&BTreeMap<String, f64>| [row["step"], row["increment"]] == [step, increment];
+    let (mut size, mut along) = (0.0, 0.0);
+    for row in contact.iter().filter(is_last).filter(|row| row["CPRESS"] > 0.0) {
+        let alike = |point: &usize| (pressure[*point] - row["CPRESS"]).abs() < 1e-9 * row["CPRESS"];
+        let point = (0..pressure.len()).find(alike).unwrap();
+        for (axis, letter) in ["x", "y", "z"].into_iter().enumerate() {
+            let [t1, t2] = ["t1_", "t2_"].map(|name| row[&format!("{name}{letter}")]);
+            let vector = |first: &str, second: &str| row[first] * t1 + row[second] * t2;
+            near(shear[3 * point + axis], vector("CSHEAR1", "CSHEAR2"), 1.0);
+            near(slip[3 * point + axis], vector("CSLIP1", "CSLIP2"), 1.0);
+        }
+        let own = &shear[3 * point..3 * point + 3];
+        let length = own.iter().map(|part| part * part).sum::<f64>().sqrt();
+        assert!((length - 0.2 * row["CPRESS"]).abs() < 1e-6 * length, "{row:?}");
+        (size, along) = (size + length, along - (0.7 * own[0] + 0.3 * own[1]) / 0.58_f64.sqrt());
+    }
+    assert!(size > 0.0 && (along.abs() - size).abs() < 0.02 * size, "{along} {size}");
+}

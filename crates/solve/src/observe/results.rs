@@ -85,6 +85,23 @@ pub struct ContactRow {
     pub dropped_work: f64,
 }
 
+impl ContactRow {
+    /// Shear traction as a vector [F/L2].
+    pub fn shear_in_space(&self) -> [f64; 3] {
+        self.in_space(self.shear)
+    }
+
+    /// Accumulated slip as a vector, along the directions that the master has now [L].
+    pub fn slip_in_space(&self) -> [f64; 3] {
+        self.in_space(self.slip)
+    }
+
+    fn in_space(&self, along: Tangential) -> [f64; 3] {
+        let [one, other] = self.directions;
+        std::array::from_fn(|axis| along[0] * one[axis] + along[1] * other[axis])
+    }
+}
+
 /// A sum of forces.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Resultant {
