@@ -38,7 +38,7 @@ impl<'a> Sensitivities<'a> {
         }
         let columns = columns(report.start.nodal.dofs());
         for node in report.model.history_nodes() {
-            let name = report.model.nodes.name(node);
+            let name = report.model.nodes.label(node);
             let own = columns.iter().copied();
             self.responses.extend(own.map(|own| (format!("{name}.{}", own.name()), node, own)));
         }

@@ -366,12 +366,12 @@ fn evaluate_contact(
             into.elastic_slip_energy += 0.5 * tangential.dot(now.elastic_slip);
         }
         if laws.normal.pressure(kinematics.overclosure).is_none() && kinematics.faces {
-            let defect = if now.closed {
-                kinematics.overclosure.abs()
-            } else {
-                kinematics.overclosure.max(0.0)
-            };
-            into.penetration = into.penetration.max(defect);
+            let h = kinematics.overclosure;
+            let defect = if now.closed { h.abs() } else { h.max(0.0) };
+            let ways = (trial.u, &committed.displacement[..]);
+            if now.closed || h <= 0.0 || !plan.stands_held(place, (&kinematics, &into.rows), ways) {
+                into.penetration = into.penetration.max(defect);
+            }
         }
         into.points[place] = now;
     }

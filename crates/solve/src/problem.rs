@@ -6,7 +6,7 @@
 //!                   Problem --> evaluate(problem, committed, trial)
 //! ```
 
-use crate::constraints::{Constraints, Rows};
+use crate::constraints::{Constraints, Role, Rows};
 use crate::contact::{Candidates, Contact, PointRows};
 use crate::continued::Continued;
 use crate::dofs::DofMap;
@@ -23,6 +23,13 @@ use slideline_mech::contact::enforcement::Enforcement;
 use slideline_mech::contact::pair::Laws;
 use slideline_mech::turn::Turn;
 use slideline_model::{ContactPair, Model, Step};
+
+/// Part of a gap's change with its own nodes that unknowns must reach for contact to hold it [1]: less is the
+/// turning of normals, or rounding. (choice)
+const LEAST_LEVER: f64 = 1e-6;
+
+/// Part of a slave face by which held surfaces may overlap where the normals beside them turn [1]. (choice)
+const LITTLE: f64 = 0.01;
 
 /// Everything about a step that does not change from increment to increment.
 #[derive(Clone, Copy)]
@@ -178,14 +185,37 @@ impl<'a> Problem<'a> {
         pairs.into_iter().all(|(i, j)| self.pattern.position(i, j).is_some())
     }
 
-    /// Whether some unknown moves a point towards or from its master.
+    /// Whether some unknown moves a point towards or from its master. Where slave and master are both held, what
+    /// is left is how the normal turns about a gap that is there already, and no force closes that.
     pub fn contact_yields(&self, kinematics: &PointRows<'_>, rows: &Rows) -> bool {
-        let mut yields = false;
+        let (mut most, mut whole) = (0.0_f64, 0.0_f64);
         for (&dof, &g) in kinematics.rows.unknowns.iter().zip(kinematics.rows.normal()) {
-            let note = &mut |_: usize, a: f64| yields |= a * g != 0.0;
+            whole = whole.max(g.abs());
+            let note = &mut |_: usize, a: f64| most = most.max((a * g).abs());
             self.constraints.for_each_equation(rows, dof, note);
         }
-        yields
+        most > LEAST_LEVER * whole
+    }
+
+    /// Whether a point and its master are held where they are: what little it overlaps by is of normals that turn
+    /// beside it, and nothing can part them. What a prescribed motion brings closer is not, nor what overlaps by
+    /// more.
+    pub fn stands_held(
+        &self,
+        place: usize,
+        (kinematics, rows): (&PointRows<'_>, &Rows),
+        (u, from): (&[f64], &[f64]),
+    ) -> bool {
+        let little = LITTLE * self.contact.spacing[self.contact.points[place].pair];
+        if kinematics.overclosure > little || self.contact_yields(kinematics, rows) {
+            return false;
+        }
+        let unknowns = kinematics.rows.unknowns.iter().zip(kinematics.rows.normal());
+        let closer: f64 = unknowns
+            .filter(|(dof, _)| !matches!(self.constraints.roles[**dof], Role::Free(_)))
+            .map(|(&dof, g)| g * (u[dof] - from[dof]))
+            .sum();
+        closer <= LEAST_LEVER * little
     }
 
     /// Average length of the contact elements of a pair [L].

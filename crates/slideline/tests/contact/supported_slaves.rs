@@ -164,3 +164,79 @@ fn held_nodes_rub_where_they_are_pressed() {
         assert!((last.plane[0].abs() - 1.5).abs() < 1e-6, "{kind} {:?}", last.plane);
     }
 }
+
+/// Two equal leaves that lie on one another, both clamped at the left, of so many elements along each and two
+/// over the thickness.
+fn leaves(along: [usize; 2], kind: &str) -> String {
+    let mut deck = String::new();
+    for (leaf, count) in along.into_iter().enumerate() {
+        let (name, first) = (["LOW", "HIGH"][leaf], 1000 * leaf);
+        deck += "*NODE\n";
+        for (row, column) in (0..3).flat_map(|row| (0..=count).map(move |column| (row, column))) {
+            let x = 30.0 * column as f64 / count as f64;
+            let y = leaf as f64 + 0.5 * row as f64;
+            writeln!(deck, "{}, {x:?}, {y:?}", first + 100 * row + column + 1).unwrap();
+        }
+        writeln!(deck, "*ELEMENT, TYPE=CPE4I, ELSET={name}").unwrap();
+        for (row, column) in (0..2).flat_map(|row| (0..count).map(move |column| (row, column))) {
+            let one = first + 100 * row + column + 1;
+            writeln!(deck, "{one}, {one}, {}, {}, {}", one + 1, one + 101, one + 100).unwrap();
+        }
+        writeln!(deck, "*NSET, NSET=ROOT\n{}, {}, {}", first + 1, first + 101, first + 201)
+            .unwrap();
+        writeln!(deck, "*SOLID SECTION, ELSET={name}, MATERIAL=M\n1.").unwrap();
+        let (side, begin) = [("S3", 101), ("S1", 1)][leaf];
+        writeln!(deck, "*SURFACE, NAME=S{name}").unwrap();
+        (0..count).for_each(|k| writeln!(deck, "{}, {side}", first + begin + k).unwrap());
+    }
+    let tip = 1000 + 201 + along[1];
+    write!(
+        deck,
+        "*NSET, NSET=TIP\n{tip}\n*MATERIAL, NAME=M\n*ELASTIC\n20000., 0.3\n\
+         *SURFACE INTERACTION, NAME=I\n*CONTACT PAIR, INTERACTION=I{kind}\nSLOW, SHIGH\n*BOUNDARY\nROOT, 1, 2\n\
+         *STEP, NLGEOM\n*STATIC\n0.25, 1.\n*CLOAD\n{tip}, 2, -0.2\n*END STEP\n"
+    )
+    .unwrap();
+    deck
+}
+
+/// Of the last increment: the tip's motion down, the sum of the roots' reactions upward, the largest of them.
+#[derive(Default)]
+struct Leaves([f64; 3]);
+
+impl Observer for Leaves {
+    fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
+        if let Event::Committed(frame) = event {
+            let nodes = &frame.model.nodes;
+            let motion = |label| frame.nodal.displacement(nodes.find(label).unwrap(), Dof::U2);
+            let tips = (1202..1300).rev().find(|&label| nodes.find(label).is_some());
+            let roots = [1, 101, 201, 1001, 1101, 1201].map(|label| nodes.find(label).unwrap());
+            let reactions = roots.map(|node| frame.nodal.reaction(node, Dof::U2));
+            let most = reactions.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
+            self.0 = [-motion(tips.unwrap()), reactions.iter().sum(), most];
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// Requirement: where slave and master touch and are both held nothing presses, for no force parts them: of leaves
+/// that are clamped side by side each carries half of the load, F/2 l^3/(3 E' I), whatever the meshes; the roots
+/// carry the load. Rounding of gaps there once made reactions of 1e18.
+#[test]
+fn what_is_clamped_together_presses_nothing() {
+    let plane = 20000.0 / (1.0 - 0.3_f64 * 0.3);
+    let exact = 0.1 * 30.0_f64.powi(3) / (3.0 * plane / 12.0);
+    for along in [[6, 6], [8, 8], [20, 20], [4, 4], [6, 9], [20, 13]] {
+        for kind in ["", ", TYPE=SURFACE TO SURFACE"] {
+            let deck = leaves(along, kind);
+            let read = Job::read_text("leaves", &deck, &ReadOptions::default());
+            let mut seen = Leaves::default();
+            let model = read.model.unwrap_or_else(|| panic!("{:#?}", read.diagnostics));
+            let ending = slideline::solve(&model, &SolveOptions::default(), &mut seen);
+            assert!(matches!(ending, Ending::Completed(_)), "{along:?}{kind}: {ending:?}");
+            let [tip, sum, most] = seen.0;
+            assert!((tip / exact - 1.0).abs() < 0.06, "{along:?}{kind}: {tip} {exact}");
+            assert!((sum - 0.2).abs() < 1e-6 && most < 40.0, "{along:?}{kind}: {sum} {most}");
+        }
+    }
+}

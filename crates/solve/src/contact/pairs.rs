@@ -150,7 +150,7 @@ pub struct Contact {
     /// Slave nodes whose contact is spread over their faces, ascending, a list a pair.
     pub(super) spread_nodes: Vec<Vec<NodeIndex>>,
     /// Distance of neighbouring slave points, a pair each [L].
-    pub(super) spacing: Vec<f64>,
+    pub spacing: Vec<f64>,
     /// Points of sharp edges: their pairs come behind those of the model.
     pub(super) edge_points: Vec<EdgePoints>,
     /// Crossings of sharp edges: their pairs come behind those of the edges.

@@ -114,6 +114,14 @@ impl Scratch {
             let before = &committed.points[place];
             let law = plan.contact.law_of(point.pair, before);
             let laws = &plan.contact.laws[law];
+            let is_hard = laws.normal.pressure(0.0).is_none();
+            if is_hard
+                && kinematics.faces
+                && !plan.contact_yields(kinematics, &self.evaluation.rows)
+            {
+                (self.pressures[place], self.tractions[place]) = (0.0, Tangential::ZERO);
+                continue;
+            }
             let touching = kinematics.faces
                 && (self.augment_all
                     || self.pressures[place] > 0.0
