@@ -40,10 +40,11 @@ pub(super) fn in_contact(draft: &mut Draft) {
     }
     // where elements come and go one of both nodes may be left without any
     let of_elements = |own: &ModelChange| matches!(own.of, Changed::Elements(_));
+    draft.model.seams = super::pre_tension::seams(draft);
     if leaders.is_empty() || draft.steps.iter().any(|step| step.changes.iter().any(of_elements)) {
         return;
     }
-    let mut seams = Vec::new();
+    let mut seams = std::mem::take(&mut draft.model.seams);
     let mut pairs = std::mem::take(&mut draft.model.contact_pairs);
     for pair in pairs.iter_mut().filter(|pair| is_of_nodes(pair)) {
         let own = taken(pair, &leaders, draft);

@@ -54,6 +54,32 @@ pub(super) fn tie(parted: &[Parted], draft: &mut Draft) {
     }
 }
 
+/// Reads contact with surfaces as those of the deck, which go on over cuts: neither a normal, a curve, a
+/// face nor the share of a node ends where the part does not.
+pub(super) fn closed(draft: &mut Draft, contact: &[fn(&mut Draft)]) {
+    let open: Vec<_> = draft.elements.iter().map(|element| element.nodes).collect();
+    if !draft.behind_cuts.is_empty() {
+        for place in 0..open.len() {
+            draft.elements[place].nodes = open[place].map(|node| draft.uncut(node));
+        }
+    }
+    contact.iter().for_each(|read| read(draft));
+    for (element, nodes) in draft.elements.iter_mut().zip(open) {
+        element.nodes = nodes;
+    }
+}
+
+/// The nodes that cuts have added, with those that they stand for.
+pub(super) fn seams(draft: &Draft) -> Vec<[NodeIndex; 2]> {
+    let nodes = &draft.model.nodes;
+    let added = draft.behind_cuts.iter().flat_map(|(original, own)| {
+        own.iter().filter_map(|own| Some([nodes.find(*own)?, nodes.find(*original)?]))
+    });
+    let mut seams: Vec<_> = added.collect();
+    seams.sort_unstable();
+    seams
+}
+
 fn one(section: &PreTension, draft: &mut Draft) -> Option<Parted> {
     let reference = draft.reference_of(&section.reference, section.reference_span);
     let (own, nodes, outward) = match &section.cut {
