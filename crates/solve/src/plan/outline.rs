@@ -18,7 +18,7 @@ pub enum Part {
     Section(usize),
     /// Which nodes have axes of their own.
     Transforms,
-    /// Which nodes belong to rigid bodies.
+    /// Which nodes belong to rigid bodies; where some of these are only tied in part, which dofs are loaded.
     RigidLinks,
     /// Which dofs follow others linearly.
     LinearConstraints,
@@ -51,7 +51,7 @@ impl fmt::Display for PlanMismatch {
             }
             Part::Section(index) => write!(f, "the kind of section of block {}", index + 1),
             Part::Transforms => f.write_str("the nodes with axes of their own"),
-            Part::RigidLinks => f.write_str("the nodes of rigid bodies"),
+            Part::RigidLinks => f.write_str("the nodes of rigid bodies, or the loads on those"),
             Part::LinearConstraints => f.write_str("the dofs of equations and ties"),
             Part::Contact(index) => {
                 write!(f, "the nodes or the kind of master of contact pair {}", index + 1)
@@ -118,6 +118,12 @@ fn draw(model: &Model, note: &mut impl FnMut(Part, usize)) {
         let own = [link.dependent, link.master, turn].into_iter();
         let follows = link.follows.iter().map(|&follows| usize::from(follows));
         own.chain(follows).for_each(|number| note(Part::RigidLinks, number));
+    }
+    if crate::leading::is_partial(model) {
+        note(Part::RigidLinks, model.steps.iter().map(|step| step.loads.len()).sum());
+        for load in model.steps.iter().flat_map(|step| &step.loads) {
+            [load.node, load.dof as usize].iter().for_each(|&own| note(Part::RigidLinks, own));
+        }
     }
     note(Part::LinearConstraints, model.linear_constraints.len());
     for constraint in &model.linear_constraints {
