@@ -178,7 +178,7 @@ fn parameters_of_other_programs_are_named() {
         let with = deck(&step(&format!("*CLOAD\n6, 1, 1.0\n{cards}")), &[]);
         let found = codes(&with, A);
         assert!(
-            !found.is_empty() && found.iter().all(|code| code == "SL0221"),
+            !found.is_empty() && found.iter().all(|code| *code == "SL0221"),
             "{cards} {found:?}"
         );
     }
