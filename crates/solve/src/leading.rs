@@ -5,15 +5,15 @@
 //!               |  nothing gives U2, U3 and phi1 a stiffness
 //! ```
 //!
-//! What nothing follows does not move by itself. One that is loaded stays an unknown, which nothing holds.
+//! What nothing follows does not move by itself. One that is loaded stays an unknown, which nothing holds. Where no
+//! step has large motion this depends on arms, so that the outline of a model has it.
 
 use slideline_model::{Dof, Model, NodeIndex, RigidLink};
 use std::collections::{HashMap, HashSet};
 
-/// Whether some link leaves displacements of its node alone: then loads decide which dofs there are.
+/// Whether some link leaves dofs of its node alone: then arms and loads decide which dofs masters have.
 pub fn is_partial(model: &Model) -> bool {
-    let moves = if model.is_in_space() { 3 } else { 2 };
-    model.rigid_links.iter().any(|link| link.follows[..moves].contains(&false))
+    model.rigid_links.iter().any(|link| link.follows != RigidLink::WELDED)
 }
 
 /// The masters of a model, ascending, and which of their six dofs something follows or loads.
@@ -24,12 +24,17 @@ pub fn masters(model: &Model) -> Vec<(NodeIndex, [bool; 6])> {
         model.transforms.iter().flat_map(|own| own.nodes.iter().copied()).collect();
     let loads = model.steps.iter().flat_map(|step| &step.loads);
     let loaded: HashSet<(NodeIndex, Dof)> = loads.map(|load| (load.node, load.dof)).collect();
+    let small = model.steps.iter().all(|step| !step.nlgeom);
     let mut used: HashMap<NodeIndex, [bool; 6]> = HashMap::new();
     for link in &model.rigid_links {
         let master = last(link.master, &next);
+        let levers = match small && !turned.contains(&link.dependent) {
+            true => levers(model, master, link.dependent),
+            false => [true; 3],
+        };
         let is_turned = turned.contains(&link.dependent);
         let own = used.entry(master).or_default();
-        followed(model.is_in_space(), link, is_turned, own);
+        followed((model.is_in_space(), is_turned), link, levers, own);
         for dof in Dof::ALL {
             own[dof as usize] |= loaded.contains(&name(link.turn, (master, dof)));
         }
@@ -73,15 +78,35 @@ fn last(mut node: NodeIndex, next: &HashMap<NodeIndex, NodeIndex>) -> NodeIndex 
     node
 }
 
+/// Along which axes an arm reaches but for rounding.
+fn levers(model: &Model, master: NodeIndex, dependent: NodeIndex) -> [bool; 3] {
+    let [from, to] = [master, dependent].map(|node| model.nodes.position(node));
+    let arm: [f64; 3] = std::array::from_fn(|k| (to[k] - from[k]).abs());
+    let longest = arm.iter().copied().fold(0.0, f64::max);
+    arm.map(|part| part > ROUNDING * longest)
+}
+
+/// Part of an arm that is rounding [1].
+const ROUNDING: f64 = 1e-12;
+
 /// Notes which dofs of its master a link follows: u = U + phi x arm, component by component; along
-/// axes of its own all of both vectors.
-fn followed(in_space: bool, link: &RigidLink, is_turned: bool, used: &mut [bool; 6]) {
+/// axes of its own all of both vectors. Small turns act by levers alone, large ones by all of an arm.
+fn followed(
+    (in_space, is_turned): (bool, bool),
+    link: &RigidLink,
+    levers: [bool; 3],
+    used: &mut [bool; 6],
+) {
     for component in (0..6).filter(|&component| link.follows[component]) {
         let moves = component < 3;
         for k in 0..3 {
             used[k] |= moves && (is_turned || k == component);
-            let turns = if moves { k != component } else { k == component - 3 };
-            used[3 + k] |= is_turned || turns || (!in_space && k == 2);
+            let is_about = in_space || k == 2;
+            let turns = match moves {
+                true => k != component && is_about && levers[3 - k - component],
+                false => k == component - 3,
+            };
+            used[3 + k] |= is_turned || turns;
         }
     }
 }
@@ -91,11 +116,27 @@ mod tests {
     use super::*;
 
     fn of(follows: [bool; 6], is_turned: bool, in_space: bool) -> [bool; 6] {
+        by_levers(follows, (in_space, is_turned), [true; 3])
+    }
+
+    fn by_levers(follows: [bool; 6], of: (bool, bool), levers: [bool; 3]) -> [bool; 6] {
         let link =
             RigidLink { follows, ..RigidLink::welded(1, 0, slideline_diag::Span::default()) };
         let mut used = [false; 6];
-        followed(in_space, &link, is_turned, &mut used);
+        followed(of, &link, levers, &mut used);
         used
+    }
+
+    /// Requirement: small turns about axes to which no arm is across move nothing.
+    #[test]
+    fn turns_act_by_levers() {
+        let two = [true, true, false, false, false, false];
+        let flat = by_levers(two, (true, false), [true, true, false]);
+        assert_eq!(flat, [true, true, false, false, false, true]);
+        let on_axis = by_levers(two, (true, false), [false, false, true]);
+        assert_eq!(on_axis, [true, true, false, true, true, false]);
+        let one = [true, false, false, false, false, false];
+        assert!(!by_levers(one, (false, false), [true, false, false])[5]);
     }
 
     /// Requirement: a master has the dofs that something follows: of one displacement the two turns about the

@@ -258,7 +258,7 @@ proptest! {
             let (after, _) = respond(&material, &turned, true, &zero);
             near(&carried(&turn, &answer.stress), &after.stress, 1e-12, name);
             prop_assert!((after.energy - answer.energy).abs() < 1e-12, "{name}");
-            if !["orthotropic", "fibres"].contains(&name) {
+            if !["orthotropic", "orthotropic of Green", "fibres"].contains(&name) {
                 let (after, _) = respond(&material, &before, true, &zero);
                 near(&answer.stress, &after.stress, 1e-12, name);
             }
