@@ -58,10 +58,9 @@ pub(super) fn tie(parted: &[Parted], draft: &mut Draft) {
 /// face nor the share of a node ends where the part does not.
 pub(super) fn closed(draft: &mut Draft, contact: &[fn(&mut Draft)]) {
     let open: Vec<_> = draft.elements.iter().map(|element| element.nodes).collect();
-    if !draft.behind_cuts.is_empty() {
-        for place in 0..open.len() {
-            draft.elements[place].nodes = open[place].map(|node| draft.uncut(node));
-        }
+    let of_deck: Vec<_> = open.iter().map(|own| own.map(|node| draft.uncut(node))).collect();
+    for (element, nodes) in draft.elements.iter_mut().zip(of_deck) {
+        element.nodes = nodes;
     }
     contact.iter().for_each(|read| read(draft));
     for (element, nodes) in draft.elements.iter_mut().zip(open) {
