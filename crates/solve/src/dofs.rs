@@ -14,7 +14,7 @@
 //! nodes: what is prescribed, loaded or linked there names them, and the others follow. Behind all these stand
 //! the dofs of clouds that turn far, along axes that turn with them ([`DofMap::turning_dofs`]).
 
-use crate::leading::leading_dofs;
+use crate::leading::{Leading, leading_dofs};
 use slideline_model::{Dof, Master, Model, NodeIndex};
 use std::collections::HashMap;
 use std::ops::Range;
@@ -330,10 +330,7 @@ fn of_elements(model: &Model, note: &mut impl FnMut(bool, (NodeIndex, Dof))) {
 
 /// Calls back with the dofs that rigid bodies and contact use, and whether these are along the
 /// axes of the model.
-fn of_bodies(
-    (model, leading): (&Model, &[((NodeIndex, Dof), bool)]),
-    mut call: impl FnMut(bool, (NodeIndex, Dof)),
-) {
+fn of_bodies((model, leading): (&Model, &[Leading]), mut call: impl FnMut(bool, (NodeIndex, Dof))) {
     for link in &model.rigid_links {
         for (node, dof) in rigid_body(model, link.dependent) {
             if link.follows[dof as usize] {

@@ -47,8 +47,11 @@ pub fn masters(model: &Model) -> Vec<(NodeIndex, [bool; 6])> {
     all
 }
 
+/// A dof of a master, and whether something follows or loads it.
+pub type Leading = ((NodeIndex, Dof), bool);
+
 /// The dofs of all masters of a model, and whether something follows or loads them.
-pub fn leading_dofs(model: &Model) -> Vec<((NodeIndex, Dof), bool)> {
+pub fn leading_dofs(model: &Model) -> Vec<Leading> {
     let turns: HashMap<NodeIndex, NodeIndex> =
         model.rigid_links.iter().filter_map(|link| Some((link.master, link.turn?))).collect();
     let of_master = |(master, used): (NodeIndex, [bool; 6])| {
