@@ -471,7 +471,7 @@ fn equal_constants_are_isotropic() {
         (0..3).for_each(|k| h[k][k] -= 1.0);
         for large in [LargeStrain::Logarithmic, LargeStrain::Green] {
             let isotropic = respond(&Material::Elastic(STEEL, large), &h, true, &[]).0;
-            let other = Material::Anisotropic(Box::new(own.clone()), large);
+            let other = Material::Anisotropic(Box::new(own), large);
             let found = respond(&other, &h, true, &[]).0;
             near(&found.stress, &isotropic.stress, 1e-13, "stress");
             (0..6).for_each(|k| near(&found.moduli[k], &isotropic.moduli[k], 1e-12, "moduli"));
