@@ -68,17 +68,6 @@ pub(super) fn closed(draft: &mut Draft, contact: &[fn(&mut Draft)]) {
     }
 }
 
-/// The nodes that cuts have added, with those that they stand for.
-pub(super) fn seams(draft: &Draft) -> Vec<[NodeIndex; 2]> {
-    let nodes = &draft.model.nodes;
-    let added = draft.behind_cuts.iter().flat_map(|(original, own)| {
-        own.iter().filter_map(|own| Some([nodes.find(*own)?, nodes.find(*original)?]))
-    });
-    let mut seams: Vec<_> = added.collect();
-    seams.sort_unstable();
-    seams
-}
-
 fn one(section: &PreTension, draft: &mut Draft) -> Option<Parted> {
     let reference = draft.reference_of(&section.reference, section.reference_span);
     let (own, nodes, outward) = match &section.cut {
