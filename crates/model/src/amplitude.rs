@@ -81,6 +81,28 @@ impl Curve {
         }
         later
     }
+
+    /// The same curve with its times and its factors multiplied [1].
+    pub fn scaled(mut self, time: f64, factor: f64) -> Self {
+        match &mut self {
+            Self::Tabular(points) | Self::SmoothStep(points) => {
+                points.iter_mut().for_each(|own| *own = (own.0 * time, own.1 * factor));
+            }
+            Self::Periodic { frequency, start, mean, terms } => {
+                (*frequency, *start, *mean) = (*frequency / time, *start * time, *mean * factor);
+                terms.iter_mut().for_each(|own| *own = (own.0 * factor, own.1 * factor));
+            }
+            Self::Modulated { mean, swing, start, frequencies: (first, second) } => {
+                (*mean, *swing, *start) = (*mean * factor, *swing * factor, *start * time);
+                (*first, *second) = (*first / time, *second / time);
+            }
+            Self::Decay { mean, swing, start, time: own } => {
+                (*mean, *swing) = (*mean * factor, *swing * factor);
+                (*start, *own) = (*start * time, *own * time);
+            }
+        }
+        self
+    }
 }
 
 impl Amplitude {

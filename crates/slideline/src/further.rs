@@ -149,9 +149,10 @@ impl From {
                 let message = format!("the saved state {states} is not one of this model");
                 let said = Diagnostic::error(Code("SL0708"), message);
                 // other dofs follow then, some of them along axes that turn
-                let help = "Run the previous job again. A deck must be one with it where that job has NLGEOM and the \
-                            deck prescribes dofs of the reference node of *DISTRIBUTING that were free, or adds steps \
-                            without NLGEOM to a *TIE across a gap or a *DISTRIBUTING.";
+                let help = "Its nodes, elements, constraints or contact pairs differ, or what *DISTRIBUTING and *TIE \
+                            follow does: prescribed dofs of a reference node that were free, or steps without \
+                            NLGEOM behind a job with it. Take the deck of the previous job up to its last step, or \
+                            write both as one deck and run it from the beginning.";
                 Err(Box::new(said.help(help)))
             }
             None => {

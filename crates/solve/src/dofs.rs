@@ -14,6 +14,7 @@
 //! nodes: what is prescribed, loaded or linked there names them, and the others follow. Behind all these stand
 //! the dofs of clouds that turn far, along axes that turn with them ([`DofMap::turning_dofs`]).
 
+use crate::leading::{Leading, leading_dofs};
 use slideline_model::{Dof, Master, Model, NodeIndex};
 use std::collections::HashMap;
 use std::ops::Range;
@@ -63,7 +64,11 @@ impl DofMap {
             note_turned(&place, &mut along, plain, (node, dof));
         };
         of_elements(model, &mut note);
-        of_bodies(model, &mut note);
+        let leading = leading_dofs(model);
+        of_bodies((model, &leading), &mut note);
+        for ((node, dof), _) in leading {
+            has[node][dof as usize].get_or_insert(false);
+        }
         complete(&turned, &along, &mut has);
         let count = has.iter().flatten().flatten().count();
         let mut map = Self {
@@ -325,7 +330,7 @@ fn of_elements(model: &Model, note: &mut impl FnMut(bool, (NodeIndex, Dof))) {
 
 /// Calls back with the dofs that rigid bodies and contact use, and whether these are along the
 /// axes of the model.
-fn of_bodies(model: &Model, mut call: impl FnMut(bool, (NodeIndex, Dof))) {
+fn of_bodies((model, leading): (&Model, &[Leading]), mut call: impl FnMut(bool, (NodeIndex, Dof))) {
     for link in &model.rigid_links {
         for (node, dof) in rigid_body(model, link.dependent) {
             if link.follows[dof as usize] {
@@ -338,14 +343,7 @@ fn of_bodies(model: &Model, mut call: impl FnMut(bool, (NodeIndex, Dof))) {
         constraint.terms.iter().for_each(|&(node, dof, _)| call(false, (node, dof)));
     }
     let mut note = |own| call(true, own);
-    for link in &model.rigid_links {
-        for (node, dof) in rigid_body(model, link.master) {
-            match link.turn.filter(|_| dof.is_rotation()) {
-                Some(turn) => note((turn, Dof::ALL[dof as usize - 3])),
-                None => note((node, dof)),
-            }
-        }
-    }
+    leading.iter().filter(|(_, used)| *used).for_each(|&(name, _)| note(name));
     for pair in &model.contact_pairs {
         // A contact node needs no element: its translations matter all the same.
         pair.slave_places().flat_map(|node| point(model, node)).for_each(&mut note);

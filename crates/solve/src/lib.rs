@@ -29,6 +29,7 @@ mod idle;
 mod increments;
 mod iteration_history;
 mod joined_forces;
+mod leading;
 mod linear_systems;
 mod linearised;
 mod loads;

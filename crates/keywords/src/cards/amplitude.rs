@@ -21,6 +21,8 @@ impl Keyword for Amplitude {
             Rule::value("DEFINITION"),
             Rule::value("TIME"),
             Rule::value("VALUE"),
+            Rule::value("SCALEX"),
+            Rule::value("SCALEY"),
             Rule::value("SHIFTX"),
             Rule::value("SHIFTY"),
             Rule::value("FIXED INTERVAL"),
@@ -87,7 +89,7 @@ impl Keyword for Amplitude {
                 })
             }
         };
-        if let Some(curve) = curve {
+        if let Some(curve) = curve.and_then(|curve| scaled(curve, card, draft)) {
             if value == Some("ABSOLUTE") {
                 absolute(&name, card, draft);
             }
@@ -119,6 +121,27 @@ fn shift(card: &Reading<'_>, draft: &mut Draft) -> Option<(f64, f64)> {
     let x = card.number("SHIFTX", &mut draft.log)?.unwrap_or(0.0);
     let y = card.number("SHIFTY", &mut draft.log)?.unwrap_or(0.0);
     Some((x, y))
+}
+
+/// `SCALEX` and `SCALEY`: what times and factors are multiplied with. Whether shifts are scaled too is not said:
+/// one of both along an axis.
+fn scaled(curve: Curve, card: &Reading<'_>, draft: &mut Draft) -> Option<Curve> {
+    let x = card.number("SCALEX", &mut draft.log)?.unwrap_or(1.0);
+    let y = card.number("SCALEY", &mut draft.log)?.unwrap_or(1.0);
+    for [scale, shift] in [["SCALEX", "SHIFTX"], ["SCALEY", "SHIFTY"]] {
+        if card.has(scale) && card.has(shift) {
+            let message = format!("{scale} and {shift} together are not supported");
+            let error = Diagnostic::error(Code("SL0221"), message).at(card.span_of(scale));
+            let help = "which acts first is not said: write the points as they shall be";
+            draft.log.push(error.help(help));
+            return None;
+        }
+    }
+    if x <= 0.0 {
+        draft.log.error("SL0210", "SCALEX must be positive", card.span_of("SCALEX"));
+        return None;
+    }
+    Some(curve.scaled(x, y))
 }
 
 /// The points of a table, shifted.

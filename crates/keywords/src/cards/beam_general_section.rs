@@ -44,7 +44,7 @@ impl Keyword for BeamGeneralSection {
     }
 
     fn without_effect(&self) -> &'static [&'static str] {
-        &["DENSITY", "ZERO", "ROTARY INERTIA"]
+        &["LUMPED", "DENSITY", "ZERO", "ROTARY INERTIA"]
     }
 
     fn level(&self) -> Level {

@@ -30,7 +30,7 @@ impl Keyword for Boundary {
     }
 
     fn without_effect(&self) -> &'static [&'static str] {
-        &["LOAD CASE", "REGION TYPE", "USER LOAD CASE"]
+        &["REAL", "LOAD CASE", "REGION TYPE", "USER LOAD CASE"]
     }
 
     fn level(&self) -> Level {

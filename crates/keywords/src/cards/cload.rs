@@ -27,7 +27,7 @@ impl Keyword for Cload {
     }
 
     fn without_effect(&self) -> &'static [&'static str] {
-        &["LOAD CASE", "REGION TYPE", "CYCLIC MODE"]
+        &["LOAD CASE", "REGION TYPE", "CYCLIC MODE", "REAL"]
     }
 
     fn level(&self) -> Level {

@@ -32,6 +32,14 @@ impl Keyword for ContactControls {
             Rule::maybe("MAXCHP"),
             Rule::maybe("UERRMX"),
             Rule::maybe("PERRMX"),
+            Rule::maybe("PERTURBATION"),
+            Rule::maybe("CPSET"),
+            Rule::maybe("FASTLOCALTRK"),
+            Rule::maybe("GLOBTRKINC"),
+            Rule::maybe("SCALE PENALTY"),
+            Rule::maybe("TYPE"),
+            Rule::maybe("WARP CHECK PERIOD"),
+            Rule::maybe("WARP CUT OFF"),
         ];
         RULES
     }
@@ -83,7 +91,7 @@ impl Keyword for ContactControls {
 
 /// Parameters without effect: of one pair or of all, what stabilises vanishes at the end of the
 /// step, and tolerances are those of the program.
-const INERT: [&str; 11] = [
+const INERT: [&str; 19] = [
     "MASTER",
     "SLAVE",
     "RESET",
@@ -95,6 +103,14 @@ const INERT: [&str; 11] = [
     "MAXCHP",
     "UERRMX",
     "PERRMX",
+    "PERTURBATION",
+    "CPSET",
+    "FASTLOCALTRK",
+    "GLOBTRKINC",
+    "SCALE PENALTY",
+    "TYPE",
+    "WARP CHECK PERIOD",
+    "WARP CUT OFF",
 ];
 
 /// Whether the card has parameters without effect, which is said.

@@ -35,7 +35,15 @@ impl Keyword for ContactPair {
     }
 
     fn without_effect(&self) -> &'static [&'static str] {
-        &["HCRIT", "CPSET", "TRACKING", "SUPPLEMENTARY CONSTRAINTS", "SLIDING TRANSITION"]
+        &[
+            "MINIMUM DISTANCE",
+            "MECHANICAL CONSTRAINT",
+            "HCRIT",
+            "CPSET",
+            "TRACKING",
+            "SUPPLEMENTARY CONSTRAINTS",
+            "SLIDING TRANSITION",
+        ]
     }
 
     fn level(&self) -> Level {

@@ -25,6 +25,10 @@ impl Keyword for Coupling {
         RULES
     }
 
+    fn without_effect(&self) -> &'static [&'static str] {
+        &["ALPHA"]
+    }
+
     fn level(&self) -> Level {
         Level::Model
     }

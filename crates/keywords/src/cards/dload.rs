@@ -29,6 +29,10 @@ impl Keyword for Dload {
         RULES
     }
 
+    fn without_effect(&self) -> &'static [&'static str] {
+        &["LOAD CASE", "REGION TYPE", "REAL"]
+    }
+
     fn level(&self) -> Level {
         Level::History
     }

@@ -30,6 +30,10 @@ impl Keyword for Dsload {
         RULES
     }
 
+    fn without_effect(&self) -> &'static [&'static str] {
+        &["LOAD CASE", "REGION TYPE", "REAL"]
+    }
+
     fn level(&self) -> Level {
         Level::History
     }

@@ -110,12 +110,13 @@ fn linear(card: &Reading<'_>, draft: &mut Draft) -> Option<NormalLaw> {
     }
     let stiffness = draft.log.number(line, 0, "the stiffness K")?;
     let tension = draft.log.maybe_number(line, 1)?.filter(|_| calculix);
-    if stiffness <= 0.0 || tension.is_some_and(|tension| tension <= 0.0) {
-        let message = "the numbers of a linear law must be positive";
+    if stiffness <= 0.0 || tension.is_some_and(|tension| tension < 0.0) {
+        let message = "the stiffness of a linear law must be positive, and its pull not negative";
         draft.log.error("SL0218", message, line.span);
         return None;
     }
-    Some(match tension {
+    // rounded law: p = K h (1/2 + atan(h/e)/pi), e = pi pull/K; without a pull its corner is sharp
+    Some(match tension.filter(|tension| *tension > 0.0) {
         Some(tension) => NormalLaw::CalculixLinear { stiffness, tension },
         None => NormalLaw::Linear { stiffness },
     })

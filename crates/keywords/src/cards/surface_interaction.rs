@@ -20,6 +20,10 @@ impl Keyword for SurfaceInteraction {
         RULES
     }
 
+    fn without_effect(&self) -> &'static [&'static str] {
+        &["UNSYMM", "TRACKING THICKNESS"]
+    }
+
     fn level(&self) -> Level {
         Level::Model
     }

@@ -231,9 +231,7 @@ impl Material {
         };
         let law = self.law(large)?;
         let growth = match (dialect, &self.elasticity.as_ref()?.0) {
-            (Dialect::Calculix, _) | (_, Elasticity::Anisotropic(_) | Elasticity::Ply(_)) => {
-                Growth::Green
-            }
+            (Dialect::Calculix, _) => Growth::Green,
             (_, Elasticity::Rubber(_) | Elasticity::Foam(_) | Elasticity::Fibrous(_)) => {
                 Growth::Length
             }
@@ -307,7 +305,7 @@ impl Material {
                 table.iter().map(|(at, own)| (*at, model::Material::Rubber(own.scaled(factors)))),
             ),
             Elasticity::Anisotropic(own) | Elasticity::Ply(own) => {
-                Some(model::Material::Anisotropic(own.clone()))
+                Some(model::Material::Anisotropic(own.clone(), large))
             }
             Elasticity::Isotropic(table) => match &self.hardening {
                 Some((yielding, _)) if !yielding.as_ref()?.is_none() => {

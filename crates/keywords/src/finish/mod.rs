@@ -106,8 +106,7 @@ pub(crate) fn finish(draft: &mut Draft, steps_doubted: bool) -> Model {
     faces::check(draft);
     axes::transforms(draft);
     coupling::axes_of_references(draft);
-    contact::pairs(draft);
-    surface_pairs::pairs(draft);
+    pre_tension::closed(draft, &[contact::pairs, surface_pairs::pairs]);
     pre_tension::tie(&parted, draft);
     links::links(draft);
     one_node::in_contact(draft);

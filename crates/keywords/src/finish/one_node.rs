@@ -40,10 +40,11 @@ pub(super) fn in_contact(draft: &mut Draft) {
     }
     // where elements come and go one of both nodes may be left without any
     let of_elements = |own: &ModelChange| matches!(own.of, Changed::Elements(_));
+    draft.model.seams = seams_of_cuts(draft);
     if leaders.is_empty() || draft.steps.iter().any(|step| step.changes.iter().any(of_elements)) {
         return;
     }
-    let mut seams = Vec::new();
+    let mut seams = std::mem::take(&mut draft.model.seams);
     let mut pairs = std::mem::take(&mut draft.model.contact_pairs);
     for pair in pairs.iter_mut().filter(|pair| is_of_nodes(pair)) {
         let own = taken(pair, &leaders, draft);
@@ -54,6 +55,17 @@ pub(super) fn in_contact(draft: &mut Draft) {
     seams.dedup();
     draft.model.seams = seams;
     draft.model.contact_pairs = pairs;
+}
+
+/// The nodes that cuts have added, with those that they stand for.
+fn seams_of_cuts(draft: &Draft) -> Vec<[NodeIndex; 2]> {
+    let nodes = &draft.model.nodes;
+    let added = draft.behind_cuts.iter().flat_map(|(original, own)| {
+        own.iter().filter_map(|own| Some([nodes.find(*own)?, nodes.find(*original)?]))
+    });
+    let mut seams: Vec<_> = added.collect();
+    seams.sort_unstable();
+    seams
 }
 
 /// Whether the pair asks for places of nodes and nothing else, and its sides are two.

@@ -54,6 +54,20 @@ pub(super) fn tie(parted: &[Parted], draft: &mut Draft) {
     }
 }
 
+/// Reads contact with surfaces as those of the deck, which go on over cuts: neither a normal, a curve, a
+/// face nor the share of a node ends where the part does not.
+pub(super) fn closed(draft: &mut Draft, contact: &[fn(&mut Draft)]) {
+    let open: Vec<_> = draft.elements.iter().map(|element| element.nodes).collect();
+    let of_deck: Vec<_> = open.iter().map(|own| own.map(|node| draft.uncut(node))).collect();
+    for (element, nodes) in draft.elements.iter_mut().zip(of_deck) {
+        element.nodes = nodes;
+    }
+    contact.iter().for_each(|read| read(draft));
+    for (element, nodes) in draft.elements.iter_mut().zip(open) {
+        element.nodes = nodes;
+    }
+}
+
 fn one(section: &PreTension, draft: &mut Draft) -> Option<Parted> {
     let reference = draft.reference_of(&section.reference, section.reference_span);
     let (own, nodes, outward) = match &section.cut {

@@ -67,7 +67,12 @@ fn without_pair(print: &ContactPrint, draft: &mut Draft) {
         return;
     }
     let [slave, master] = &print.surfaces;
-    let message = format!("there is no contact pair of {slave} on {master}: nothing is printed");
+    let pair = match (slave.as_str(), master.as_str()) {
+        (slave, "") => format!("whose slave is {slave}"),
+        ("", master) => format!("whose master is {master}"),
+        (slave, master) => format!("of {slave} on {master}"),
+    };
+    let message = format!("there is no contact pair {pair}: nothing is printed");
     let said = Diagnostic::warning(Code("SL0252"), message).at(print.request.origin);
     let help = "SLAVE and MASTER are the surfaces of a line of *CONTACT PAIR";
     draft.consequence(Subject::Contact, said.help(help));

@@ -117,7 +117,6 @@ pub(super) const GROUPS: &[Group] = &[
             "SURFACE SMOOTHING",
             "CONTACT PERMEABILITY",
             "CONTACT RESPONSE",
-            "COHESIVE BEHAVIOR",
             "IMPERMEABLE CONTACT",
         ],
     ),
@@ -139,8 +138,32 @@ pub(super) const GROUPS: &[Group] = &[
     (Unsupported, "use *MPC of type BEAM for rigid links", &["NETWORKMPC"]),
     (
         Unsupported,
-        "use *CLOAD on the nodes",
-        &["INERTIA RELIEF", "LOAD CASE", "END LOAD CASE", "RELEASE"],
+        "write a *STEP for each, with its loads on *CLOAD and *DLOAD",
+        &["LOAD CASE", "END LOAD CASE"],
+    ),
+    (
+        Unsupported,
+        "a part is not held by its inertia here: hold it at as few dofs as stop its rigid motions (*BOUNDARY, 3-2-1), \
+         and add the inertia forces as *DLOAD of types GRAV and CENTRIF; the reactions then vanish",
+        &["INERTIA RELIEF"],
+    ),
+    (
+        Unsupported,
+        "beams are joined with all their dofs: give the released end a node of its own at the same place, and join \
+         both by *MPC of type PIN, or by *EQUATION for the dofs that go over",
+        &["RELEASE"],
+    ),
+    (
+        Unsupported,
+        "nodes are where *NODE says: move a reference node there, and slave nodes onto their master by ADJUST= of \
+         *CONTACT PAIR or *TIE",
+        &["ADJUST"],
+    ),
+    (
+        Unsupported,
+        "contact has no traction over a separation: glue that does not yield is *TIE, one that stays closed \
+         *SURFACE BEHAVIOR, NO SEPARATION; a layer that gives way is meshed, or *SPRINGs from node to node",
+        &["COHESIVE BEHAVIOR"],
     ),
     (
         Unsupported,

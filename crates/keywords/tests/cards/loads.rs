@@ -248,6 +248,29 @@ fn amplitudes_are_shifted_and_go_on() {
     }
 }
 
+/// Requirement: SCALEX and SCALEY multiply times and values of every kind of curve; beside a shift along the same
+/// axis they are refused. Source: Abaqus manual, `*AMPLITUDE`.
+#[test]
+fn amplitudes_are_scaled() {
+    let [tabular, decay] = ["\n0.0, 1.0, 2.0, 5.0\n", ", DEFINITION=DECAY\n1.0, 2.0, 0.5, 4.0\n"];
+    for data in [tabular, decay, ", DEFINITION=MODULATED\n1.0, 2.0, 0.5, 3.0, 5.0\n"] {
+        let of = |scales: &str| {
+            let curve = format!("*AMPLITUDE, NAME=A{scales}{data}");
+            let load = step("*CLOAD, AMPLITUDE=A\n6, 1, 1.0");
+            model(&deck(&format!("{curve}{load}"), &[]), A).amplitude("A").expect("a curve").clone()
+        };
+        let (plain, scaled) = (of(""), of(", SCALEX=2.0, SCALEY=-3.0"));
+        for time in [0.0, 0.4, 0.7, 1.1, 3.0] {
+            assert!((scaled.at(2.0 * time) + 3.0 * plain.at(time)).abs() < 1e-14, "{data} {time}");
+        }
+    }
+    for (scales, code) in [("SCALEX=2.0, SHIFTX=1.0", "SL0221"), ("SCALEX=0.0", "SL0210")] {
+        let curve = format!("*AMPLITUDE, NAME=A, {scales}{tabular}");
+        let cards = format!("{curve}{}", step("*CLOAD\n6, 1, 1.0"));
+        assert_eq!(codes(&deck(&cards, &[]), A), [code], "{scales}");
+    }
+}
+
 /// Requirement: `TIME DELAY` has a load follow its curve later by that time, and is refused where
 /// there is no curve to be late; two delays of one curve are two curves. Source: CalculiX manual,
 /// `*CLOAD`.

@@ -170,6 +170,31 @@ fn parameters_of_other_programs_are_named() {
     assert_eq!(codes(&linear("*STATIC, RICKS"), A), ["SL0202"]);
     let cyclic = deck(&step("*CLOAD, FOLLOWER\n6, 1, 1.0"), &[]);
     assert_eq!(codes(&cyclic, A), ["SL0221"]);
+    for cards in [
+        "*TEMPERATURE, FILE=OTHER, BSTEP=1, BINC=1",
+        "*TEMPERATURE, FILE=OTHER, ESTEP=2, EINC=3",
+        "*DLOAD, REF NODE=3\n1, P1, 1.0",
+    ] {
+        let with = deck(&step(&format!("*CLOAD\n6, 1, 1.0\n{cards}")), &[]);
+        let found = codes(&with, A);
+        assert!(
+            !found.is_empty() && found.iter().all(|code| *code == "SL0221"),
+            "{cards} {found:?}"
+        );
+    }
+    let pad = "*SURFACE INTERACTION, NAME=I, PAD THICKNESS=0.1\n1.0\n";
+    let with = deck(&format!("{pad}{}", step("*CLOAD\n6, 1, 1.0")), &[]);
+    assert_eq!(codes(&with, A), ["SL0221"]);
+}
+
+/// Requirement: parameters that change no result of a static step are told and ignored.
+#[test]
+fn parameters_without_effect() {
+    let controls = "*CONTACT CONTROLS, PERTURBATION\n*SURFACE INTERACTION, NAME=I, UNSYMM\n1.0\n";
+    let read = interpret(&deck(&format!("{controls}{}", step("*CLOAD, REAL\n6, 1, 1.0")), &[]), A);
+    assert!(errors(&read).is_empty(), "{:#?}", errors(&read));
+    let notes = read.diagnostics.iter().filter(|found| found.code.0 == "SL0257").count();
+    assert_eq!(notes, 3, "{:#?}", read.diagnostics);
 }
 
 /// Requirement: nodes and elements that are filled in, copied and given in other axes stand where

@@ -260,6 +260,12 @@ impl Anisotropic {
         Answer { stress, moduli: self.moduli, energy, dissipation: 0.0 }
     }
 
+    /// Answer in the logarithmic strain of the undeformed body, whose axes the material turns with:
+    /// docs/theory.md, below (3.36).
+    pub fn hencky(&self, gradient: &Matrix) -> Answer {
+        super::logarithmic::answer(gradient, |strain| self.small(strain))
+    }
+
     /// Answer in Green's strain, carried to the deformed body.
     pub fn green(&self, gradient: &Matrix) -> Answer {
         let strain = right(gradient).map(|entry| 0.5 * entry);

@@ -19,7 +19,7 @@ pub enum Material {
     /// Linear elasticity.
     Elastic(Elastic, LargeStrain),
     /// Linear elasticity without isotropy.
-    Anisotropic(Box<Anisotropic>),
+    Anisotropic(Box<Anisotropic>, LargeStrain),
     /// Rubber.
     Rubber(Rubber),
     /// Foam of rubber.
@@ -48,7 +48,7 @@ impl PartialEq for Material {
     fn eq(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Elastic(a, large), Self::Elastic(b, other)) => a == b && large == other,
-            (Self::Anisotropic(a), Self::Anisotropic(b)) => a == b,
+            (Self::Anisotropic(a, large), Self::Anisotropic(b, other)) => a == b && large == other,
             (Self::Rubber(a), Self::Rubber(b)) => a == b,
             (Self::Foam(a), Self::Foam(b)) => a == b,
             (Self::Fibrous(a), Self::Fibrous(b)) => a == b,

@@ -15,7 +15,7 @@ impl Material {
     pub fn states(&self) -> usize {
         match self {
             Self::Elastic(..)
-            | Self::Anisotropic(_)
+            | Self::Anisotropic(..)
             | Self::Rubber(_)
             | Self::Foam(_)
             | Self::Fibrous(_)
@@ -70,8 +70,11 @@ impl Material {
     ) -> Answer {
         match (self, under.large) {
             (Self::Elastic(elastic, _), _) => elastic.small(&symmetric(gradient)),
-            (Self::Anisotropic(elastic), false) => elastic.small(&symmetric(gradient)),
-            (Self::Anisotropic(elastic), true) => elastic.green(gradient),
+            (Self::Anisotropic(elastic, _), false) => elastic.small(&symmetric(gradient)),
+            (Self::Anisotropic(elastic, LargeStrain::Logarithmic), true) => {
+                elastic.hencky(gradient)
+            }
+            (Self::Anisotropic(elastic, LargeStrain::Green), true) => elastic.green(gradient),
             (Self::Rubber(rubber), false) => rubber.small().small(&symmetric(gradient)),
             (Self::Rubber(rubber), true) => rubber.large(gradient),
             (Self::Foam(foam), false) => foam.small().small(&symmetric(gradient)),
@@ -198,7 +201,7 @@ impl Material {
             Self::Prestressed(own) => own.law.metal(temperature),
             Self::Viscoelastic(_)
             | Self::Elastic(..)
-            | Self::Anisotropic(_)
+            | Self::Anisotropic(..)
             | Self::Rubber(_)
             | Self::Foam(_)
             | Self::Fibrous(_)
@@ -221,7 +224,7 @@ impl Material {
             Self::Viscoelastic(own) => own.law.rubber(temperature, then),
             Self::Prestressed(own) => own.law.rubber(temperature, then),
             Self::Elastic(..)
-            | Self::Anisotropic(_)
+            | Self::Anisotropic(..)
             | Self::Foam(_)
             | Self::Fibrous(_)
             | Self::RambergOsgood(_)
@@ -236,7 +239,7 @@ impl Material {
         match self {
             Self::Plastic(_) | Self::User(_) | Self::Viscoelastic(_) | Self::Creeping(_) => true,
             Self::Elastic(..)
-            | Self::Anisotropic(_)
+            | Self::Anisotropic(..)
             | Self::Rubber(_)
             | Self::Foam(_)
             | Self::Fibrous(_)
@@ -250,7 +253,7 @@ impl Material {
     /// Whether its stress is linear in its strain.
     pub fn is_linear(&self) -> bool {
         match self {
-            Self::Elastic(..) | Self::Anisotropic(_) => true,
+            Self::Elastic(..) | Self::Anisotropic(..) => true,
             Self::Plastic(_)
             | Self::User(_)
             | Self::Rubber(_)
@@ -282,7 +285,7 @@ impl Material {
             Self::RambergOsgood(metal) => of(&metal.elastic),
             Self::Fibrous(tissue) => tissue.stiffest(),
             Self::Foam(foam) => of(&foam.small()),
-            Self::Anisotropic(elastic) => elastic.stiffest(),
+            Self::Anisotropic(elastic, _) => elastic.stiffest(),
             Self::Rubber(rubber) => rubber.bulk_modulus() + 4.0 / 3.0 * rubber.shear_modulus(),
             Self::User(law) => law.stiffest(),
             Self::Graded(graded) => graded.rows().map(Self::stiffest).fold(0.0, f64::max),
@@ -299,7 +302,9 @@ impl Material {
             Self::Elastic(elastic, _) | Self::Plastic(Plastic { elastic, .. }) => {
                 elastic.shear_modulus()
             }
-            Self::Anisotropic(elastic) => (3..6).map(|k| elastic.moduli[k][k]).sum::<f64>() / 3.0,
+            Self::Anisotropic(elastic, _) => {
+                (3..6).map(|k| elastic.moduli[k][k]).sum::<f64>() / 3.0
+            }
             Self::Rubber(rubber) => rubber.shear_modulus(),
             Self::Foam(foam) => foam.shear_modulus(),
             Self::RambergOsgood(metal) => metal.elastic.shear_modulus(),
@@ -322,7 +327,7 @@ impl Material {
             Self::Foam(foam) => Some(foam.small()),
             Self::RambergOsgood(metal) => Some(metal.elastic),
             Self::Fibrous(tissue) => Some(tissue.small_matrix()),
-            Self::Anisotropic(_) | Self::User(_) => None,
+            Self::Anisotropic(..) | Self::User(_) => None,
             Self::Graded(graded) => graded.rows().next()?.elastic(),
             Self::Expanding(expanding) => expanding.law.elastic(),
             Self::Viscoelastic(own) => own.law.elastic(),

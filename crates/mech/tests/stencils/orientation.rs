@@ -9,7 +9,7 @@ use slideline_mech::element::solid::Formulation::{self, Incompatible, MeanDilati
 use slideline_mech::element::solid::Kinematics::{self, Axisymmetric, PlaneStress, Space};
 use slideline_mech::element::solid::{Recipe, Told, states};
 use slideline_mech::element::{Kernel, Response, Solids, Strains};
-use slideline_mech::material::{Anisotropic, Material, Unsound};
+use slideline_mech::material::{Anisotropic, LargeStrain, Material, Unsound};
 use slideline_mech::orientation::{Basis, Orientation, Orientations};
 
 /// E1, E2, E3, nu12, nu13, nu23, G12, G13, G23.
@@ -27,7 +27,10 @@ const KINDS: [Kind; 6] = [
 ];
 
 fn ply() -> Material {
-    Material::Anisotropic(Box::new(Anisotropic::engineering(&PLY).unwrap()))
+    Material::Anisotropic(
+        Box::new(Anisotropic::engineering(&PLY).unwrap()),
+        LargeStrain::Logarithmic,
+    )
 }
 
 fn noise(seed: usize) -> f64 {

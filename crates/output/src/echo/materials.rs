@@ -20,7 +20,7 @@ pub(super) fn told(material: &Material) -> String {
         (Material::Elastic(elastic, _), _) => {
             format!("E = {}, nu = {}", number(elastic.modulus), number(elastic.poisson))
         }
-        (Material::Anisotropic(_), _) => "anisotropic elasticity".to_owned(),
+        (Material::Anisotropic(..), _) => "anisotropic elasticity".to_owned(),
         (Material::Foam(_), Some(elastic)) => format!(
             "foam; at small strain E = {}, nu = {}",
             number(elastic.modulus),

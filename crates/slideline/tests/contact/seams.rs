@@ -1,4 +1,4 @@
-//! Parts that ties, equations or `*MPC` join node by node are one part, also where contact meets the seam:
+//! Parts that ties, equations, `*MPC` or a pre-tension section join node by node are one part, also where contact meets the seam:
 //! forces are those of the mesh whose nodes are merged there.
 //!
 //! ```text
@@ -26,9 +26,18 @@ enum Joint {
     TieOfNodes,
     Equation,
     Mpc,
+    /// A cut by a pre-tension section whose reference node is held.
+    Cut,
 }
 
-const JOINTS: [Joint; 4] = [Joint::Tie, Joint::TieOfNodes, Joint::Equation, Joint::Mpc];
+const JOINTS: [Joint; 5] = [Joint::Tie, Joint::TieOfNodes, Joint::Equation, Joint::Mpc, Joint::Cut];
+
+impl Joint {
+    /// Whether the deck has two nodes at one place.
+    fn is_of_two(self) -> bool {
+        !matches!(self, Self::Merged | Self::Cut)
+    }
+}
 
 /// What is pressed on what.
 #[derive(Clone, Copy, Debug)]
@@ -63,7 +72,7 @@ const CELLS: [(usize, usize, usize); 2] = [(4, 2, 2), (3, 2, 1)];
 /// Nodes of a block whose elements are columns: label of the node of a column, row and layer; `right`:
 /// as the elements right of the cut have it.
 fn label(block: usize, (i, j, k): (usize, usize, usize), right: bool, joint: Joint) -> usize {
-    let second = right && joint != Joint::Merged && i == CELLS[block].2;
+    let second = right && joint.is_of_two() && i == CELLS[block].2;
     1000 * (block + 1) + 500 * usize::from(second) + 100 * k + 10 * i + j + 1
 }
 
@@ -87,7 +96,7 @@ fn write_nodes(deck: &mut String, block: usize, joint: Joint, case: Case) {
     deck.push_str("*NODE, NSET=ALL\n");
     for i in 0..=columns {
         let sides: &[bool] =
-            if i == cut && joint != Joint::Merged { &[false, true] } else { &[i > cut] };
+            if i == cut && joint.is_of_two() { &[false, true] } else { &[i > cut] };
         for (j, k) in (0..=rows).flat_map(|j| (0..layers).map(move |k| (j, k))) {
             for &right in sides {
                 let [x, y, z] = place(block, (i, j, k), case);
@@ -151,6 +160,14 @@ fn join(deck: &mut String, sides: [String; 2], block: usize, joint: Joint, case:
     let free = nodes.map(|at| [true, false].map(|right| label(block, at, right, joint)));
     match joint {
         Joint::Merged => {}
+        Joint::Cut => {
+            let [left, _] = sides;
+            let _ = write!(
+                deck,
+                "*SURFACE, NAME=LEFT\n{left}*NODE\n9000, 0., 0.\n*BOUNDARY\n9000, 1\n\
+                 *PRE-TENSION SECTION, SURFACE=LEFT, NODE=9000\n"
+            );
+        }
         Joint::Tie | Joint::TieOfNodes => {
             let by = if joint == Joint::Tie { "" } else { ", TYPE=NODE TO SURFACE" };
             let [left, right] = sides;
@@ -218,7 +235,7 @@ fn run(deck: &str) -> Forces {
     forces
 }
 
-/// Requirement: halves that *TIE, equations or *MPC join node by node press and rub as the whole, as slave and as master,
+/// Requirement: halves that *TIE, equations, *MPC or the cut of a pre-tension section join node by node press and rub as the whole, as slave and as master,
 /// in the plane and in space, with hard and soft contact, at nodes and over faces. Two points of hard
 /// contact at one place shared the force at will, and friction began anew at whichever took it; a master
 /// in the plane was refused (SL0329), and in space its seam was an edge. Tolerance: what iterations leave.
@@ -256,7 +273,7 @@ fn a_seam_is_moved_as_one() {
         };
         let whole = adjusted(Joint::Merged);
         let most = whole.iter().flatten().fold(0.0_f64, |most, f| most.max(f.abs()));
-        for joint in [Joint::Tie, Joint::Equation] {
+        for joint in [Joint::Tie, Joint::Equation, Joint::Cut] {
             let own = adjusted(joint);
             assert_eq!(own.len(), whole.len(), "{case:?} {joint:?}");
             for (a, b) in own.iter().flatten().zip(whole.iter().flatten()) {

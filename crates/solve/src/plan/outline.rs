@@ -18,7 +18,7 @@ pub enum Part {
     Section(usize),
     /// Which nodes have axes of their own.
     Transforms,
-    /// Which nodes belong to rigid bodies.
+    /// Which nodes belong to rigid bodies; where some of these are only tied in part, what moves them.
     RigidLinks,
     /// Which dofs follow others linearly.
     LinearConstraints,
@@ -51,7 +51,7 @@ impl fmt::Display for PlanMismatch {
             }
             Part::Section(index) => write!(f, "the kind of section of block {}", index + 1),
             Part::Transforms => f.write_str("the nodes with axes of their own"),
-            Part::RigidLinks => f.write_str("the nodes of rigid bodies"),
+            Part::RigidLinks => f.write_str("the nodes of rigid bodies, or what moves their dofs"),
             Part::LinearConstraints => f.write_str("the dofs of equations and ties"),
             Part::Contact(index) => {
                 write!(f, "the nodes or the kind of master of contact pair {}", index + 1)
@@ -112,13 +112,7 @@ fn draw(model: &Model, note: &mut impl FnMut(Part, usize)) {
     for (index, block) in model.blocks.iter().enumerate() {
         draw_block(block, &mut |number| note(Part::Elements(index), number));
     }
-    note(Part::RigidLinks, model.rigid_links.len());
-    for link in &model.rigid_links {
-        let turn = link.turn.map_or(0, |node| node + 1);
-        let own = [link.dependent, link.master, turn].into_iter();
-        let follows = link.follows.iter().map(|&follows| usize::from(follows));
-        own.chain(follows).for_each(|number| note(Part::RigidLinks, number));
-    }
+    draw_links(model, &mut |number| note(Part::RigidLinks, number));
     note(Part::LinearConstraints, model.linear_constraints.len());
     for constraint in &model.linear_constraints {
         note(Part::LinearConstraints, constraint.terms.len());
@@ -159,6 +153,23 @@ fn draw(model: &Model, note: &mut impl FnMut(Part, usize)) {
     note(Part::Steps, model.steps.len());
     for (index, step) in model.steps.iter().enumerate() {
         draw_step(step, &mut |number| note(Part::Step(index + 1), number));
+    }
+}
+
+/// Nodes that follow others rigidly, and what of these moves them where some follow in part.
+fn draw_links(model: &Model, note: &mut impl FnMut(usize)) {
+    note(model.rigid_links.len());
+    for link in &model.rigid_links {
+        let turn = link.turn.map_or(0, |node| node + 1);
+        let own = [link.dependent, link.master, turn].into_iter();
+        let follows = link.follows.iter().map(|&follows| usize::from(follows));
+        own.chain(follows).for_each(&mut *note);
+    }
+    if crate::leading::is_partial(model) {
+        for (master, used) in crate::leading::masters(model) {
+            note(master);
+            used.iter().for_each(|&own| note(usize::from(own)));
+        }
     }
 }
 
