@@ -32,6 +32,15 @@ pub const PEEQ: usize = 6;
 const WORK: usize = 7;
 const BACK: usize = 8;
 
+/// Part of a yield stress by which rounding may put a state beyond its surface [1].
+const ROUNDING: f64 = 1e-10;
+
+/// Whether a yield stress holds an equivalent trial stress: a state that has yielded and does not move stands on
+/// its surface to rounding and answers elastically, for it may be unloaded next.
+fn is_held(trial: f64, stress: f64) -> bool {
+    trial <= stress * (1.0 + ROUNDING)
+}
+
 /// An elastic material that yields.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plastic {
@@ -106,7 +115,7 @@ impl Plastic {
     fn radial(&self, trial: f64, before: f64) -> Option<Radial> {
         let three = 3.0 * self.elastic.shear_modulus();
         let [start, mut slope] = self.yield_stress(before);
-        if trial <= start {
+        if is_held(trial, start) {
             return None;
         }
         let (mut at, mut stress, mut work) = (before, start, 0.0);
@@ -136,7 +145,7 @@ impl Plastic {
             let slope = 3.0 * self.elastic.shear_modulus() + slope;
             return Some(Return { strain, way, trial, slope, recalled: [0.0; 6], work });
         }
-        if trial <= self.yield_stress(before)[0] {
+        if is_held(trial, self.yield_stress(before)[0]) {
             return None;
         }
         Some(self.moving(deviator, committed))

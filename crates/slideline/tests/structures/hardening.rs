@@ -296,3 +296,22 @@ fn hardened_under_stress() {
         assert_eq!(found, [code], "{initial}");
     }
 }
+
+/// Requirement: a metal that has yielded under a force is unloaded in one increment, for what stands on its yield
+/// surface and does not move answers elastically. Source: by hand, s = F / A with the area after the increment; the plastic
+/// strain stays. The plastic tangent, a fiftieth of the elastic one, threw the elements inside out.
+#[test]
+fn what_has_yielded_is_unloaded_in_one_increment() {
+    for hardening in ["", ", HARDENING=KINEMATIC"] {
+        let plastic = format!("*PLASTIC{hardening}\n20., 0.\n60., 1.\n");
+        let deck = cube(&plastic, "C3D8", ", NLGEOM", &[20.5 / 4.0, -5.0 / 4.0])
+            .replace("0.1, 1., 1e-5, 0.1", "1., 1.")
+            .replace("R, 1, 1, ", "*CLOAD\nR, 1, ");
+        let (ends, iterations) =
+            run(&format!("unloaded{}", hardening.len()), &deck, Dialect::Abaqus);
+        assert!(ends[0][1] > 0.02, "it yields: {ends:?}");
+        near(ends[1][1], ends[0][1], 1e-12, "plastic strain");
+        near(ends[1][0] / ends[0][0], -5.0 / 20.5, 0.01, "stress");
+        assert!(iterations <= 14, "{iterations}");
+    }
+}
