@@ -104,7 +104,7 @@ def main():
     write(folder, "hex27_", ["41.msh", ".inp"])
     # in .inp gmsh calls wedges of 18 nodes C3D6
     block(2, "wedge", True)
-    write(folder, "wedge18_", ["41.msh"])
+    write(folder, "wedge18_", ["41.msh", ".inp"])
     gmsh.finalize()
 
 

@@ -10,6 +10,7 @@
 //! card mends it, a [`Suggestion`] that `check --fix` can write. Nothing here
 //! changes a model or a run.
 
+mod alike;
 mod apart;
 mod bodies;
 mod coarse;

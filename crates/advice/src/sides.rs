@@ -1,14 +1,13 @@
 //! Normals that look the wrong way.
 
+use crate::alike::{is_drawn, look_alike};
 use crate::finding::{Finding, Place};
-use crate::start::{Start, less, spacing};
-use slideline_diag::{Code, Diagnostic};
+use crate::start::{Start, spacing};
+use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
-    ContactPair, Master, MasterFaces, NodeIndex, OwnSurface, ProfilePoint, RigidSurface, SlideLine,
+    ContactPair, Master, MasterFaces, OwnSurface, ProfilePoint, RigidSurface, SlideLine,
     SurfaceSegment, Vocabulary,
 };
-use slideline_solve::observe::ContactRow;
-use std::collections::HashMap;
 use std::fmt::Write as _;
 
 /// Depth of a slave in contact element lengths that counts as behind: one, but for rounding [1].
@@ -21,43 +20,24 @@ pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
         let spacing = spacing(start.model, pair);
         let facing = start.facing(place).count();
         let behind = start.facing(place).filter(|row| row.opening <= -LEAST * spacing).count();
+        let stand = |count: usize| {
+            let deepest = start.facing(place).map(|row| -row.opening).fold(0.0, f64::max);
+            format!(
+                "{count} of {facing} slave points lie behind it at the start, the deepest by {deepest:.3e}"
+            )
+        };
         if behind > 0 && 2 * behind >= facing {
-            findings.push(say(start, pair, behind, facing));
+            findings.push(say(start, pair, &stand(behind)));
         } else if opens(start, place, pair) {
-            findings.push(say(start, pair, facing, facing));
+            findings.push(say(start, pair, &stand(facing)));
         } else if let Some(alike) = look_alike(start, place, pair) {
-            findings.push(say(start, pair, alike, facing));
+            let seen = format!(
+                "{alike} of {facing} slave points touch or overlap it at the start and belong to faces that \
+                 look the same way as its outside"
+            );
+            findings.push(say(start, pair, &seen));
         }
     }
-}
-
-/// How many points overlap a rigid profile whose outside looks the same way as their own faces; `None`
-/// where those are not the most of all that overlap: parts that touch look at one another.
-fn look_alike(start: &Start<'_>, place: usize, pair: &ContactPair) -> Option<usize> {
-    if !pair.of_solids || !matches!(pair.master, Master::RigidSurface(_)) {
-        return None;
-    }
-    let normals = outward(start, pair);
-    let overlapping = || start.facing(place).filter(|row| row.opening < 0.0);
-    let looks_alike = |row: &&ContactRow| {
-        normals.get(&row.node).is_some_and(|[x, y]| x * row.normal[0] + y * row.normal[1] > 0.0)
-    };
-    let alike = overlapping().filter(looks_alike).count();
-    (alike > 0 && 2 * alike > overlapping().count()).then_some(alike)
-}
-
-/// The sums of the outward normals of the faces at every slave node, as long as these [L].
-fn outward(start: &Start<'_>, pair: &ContactPair) -> HashMap<NodeIndex, ProfilePoint> {
-    let mut normals: HashMap<NodeIndex, ProfilePoint> = HashMap::new();
-    for [from, to] in pair.elements.iter().map(|element| element.nodes) {
-        let along = less(start.model.nodes.position(to), start.model.nodes.position(from));
-        for node in [from, to] {
-            // the material is on the left of the way
-            let normal = normals.entry(node).or_default();
-            *normal = [normal[0] + along[1], normal[1] - along[0]];
-        }
-    }
-    normals
 }
 
 /// Whether every slave lies behind the master at first, deeper than its law
@@ -73,40 +53,50 @@ fn opens(start: &Start<'_>, place: usize, pair: &ContactPair) -> bool {
     least > floor && most < 0.0
 }
 
-fn say(start: &Start<'_>, pair: &ContactPair, behind: usize, facing: usize) -> Finding {
+/// What is said of masters whose order of points is not to blame, and their card.
+fn of_bodies(start: &Start<'_>, pair: &ContactPair) -> Option<(Span, &'static str)> {
+    let outward = "faces of solids look outward: do the parts overlap at the start, or does *SURFACE \
+                   name faces on the far side?";
+    match &pair.master {
+        Master::RigidSurface(_) => None,
+        Master::Faces(faces) if faces.swept.is_some() => None,
+        Master::SlideLine(_) if pair.vocabulary != Vocabulary::Faces => None,
+        Master::Faces(MasterFaces { origin, .. }) | Master::SlideLine(SlideLine { origin, .. })
+            if is_drawn(start.model, pair) =>
+        {
+            let other = "name the other side of its rigid elements or beams in *SURFACE, SPOS or SNEG, or none: \
+                         the master then turns to its slaves";
+            Some((*origin, other))
+        }
+        Master::Itself(OwnSurface { origin, .. })
+        | Master::Faces(MasterFaces { origin, meets_itself: true, .. }) => {
+            let itself = "faces of solids look outward: do parts of the surface stand in one another at the \
+                          start?";
+            Some((*origin, itself))
+        }
+        Master::Faces(MasterFaces { origin, .. }) | Master::SlideLine(SlideLine { origin, .. }) => {
+            Some((*origin, outward))
+        }
+    }
+}
+
+fn say(start: &Start<'_>, pair: &ContactPair, seen: &str) -> Finding {
+    if let Some((origin, help)) = of_bodies(start, pair) {
+        return Finding::said(wrong_side(pair, seen).at(origin).help(help));
+    }
+    let opposite =
+        || format!("give the points of {} in the opposite order", pair.vocabulary.rigid_surface());
     let (origin, help) = match &pair.master {
-        Master::Faces(faces) if !faces.meets_itself => {
-            let said = wrong_side(start, pair, behind, facing).at(faces.origin);
-            return Finding::said(said.help(
-                "faces of solids look outward: do the parts overlap at the start, or does *SURFACE \
-                 name faces on the far side?",
-            ));
-        }
-        Master::Itself(OwnSurface { origin, .. }) | Master::Faces(MasterFaces { origin, .. }) => {
-            let said = wrong_side(start, pair, behind, facing).at(*origin);
-            return Finding::said(said.help(
-                "faces of solids look outward: do parts of the surface stand in one another at the \
-                 start?",
-            ));
-        }
-        Master::SlideLine(line) if pair.vocabulary == Vocabulary::Faces => {
-            let said = wrong_side(start, pair, behind, facing).at(line.origin);
-            return Finding::said(said.help(
-                "faces of solids look outward: do the parts overlap at the start, or does *SURFACE \
-                 name faces on the far side?",
-            ));
-        }
         Master::SlideLine(line) => (line.origin, pair.vocabulary.turn_chain().to_owned()),
-        Master::RigidSurface(surface) => (
-            surface.origin,
-            format!("give the points of {} in the opposite order", pair.vocabulary.rigid_surface()),
-        ),
+        Master::RigidSurface(RigidSurface { origin, .. })
+        | Master::Faces(MasterFaces { origin, .. })
+        | Master::Itself(OwnSurface { origin, .. }) => (*origin, opposite()),
     };
     let help = format!(
         "{help}: the outward normal is 90 degrees counter-clockwise from the \
                         direction of travel"
     );
-    let said = wrong_side(start, pair, behind, facing).at(origin).help(help);
+    let said = wrong_side(pair, seen).at(origin).help(help);
     let text = match &pair.master {
         Master::SlideLine(line) => reversed(start, pair, line),
         Master::RigidSurface(surface) => SurfacePoints::of(surface).backwards().lines(),
@@ -121,15 +111,8 @@ fn say(start: &Start<'_>, pair: &ContactPair, behind: usize, facing: usize) -> F
     }
 }
 
-fn wrong_side(start: &Start<'_>, pair: &ContactPair, behind: usize, facing: usize) -> Diagnostic {
-    let place = start.model.contact_pairs.iter().position(|own| own == pair);
-    let nearest = place.into_iter().flat_map(|place| start.facing(place));
-    let deepest = nearest.map(|row| -row.opening).fold(0.0, f64::max);
-    let message = format!(
-        "the master of {} seems to face the wrong way: {behind} of {facing} slave points lie \
-         behind it at the start, the deepest by {deepest:.3e}",
-        pair.name
-    );
+fn wrong_side(pair: &ContactPair, seen: &str) -> Diagnostic {
+    let message = format!("the master of {} seems to face the wrong way: {seen}", pair.name);
     Diagnostic::warning(Code("SL0407"), message)
 }
 

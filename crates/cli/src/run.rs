@@ -294,6 +294,9 @@ fn kept_files(read: &Read, outcome: &Outcome) -> String {
 
 fn closing_line(read: &Read, outcome: &Outcome, began: Instant) -> String {
     let name = read.job.stem.to_string_lossy();
+    if name.is_empty() {
+        return "input error, nothing was solved\n".to_owned();
+    }
     if outcome.status == Status::InputError {
         return format!("{name}: input error, nothing was solved\n");
     }

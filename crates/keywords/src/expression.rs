@@ -7,6 +7,7 @@
 //! ```
 
 use std::collections::HashMap;
+use std::ops::Range;
 
 /// What a name stands for.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,14 +40,20 @@ impl Value {
 /// Names and their values.
 pub(crate) type Values = HashMap<String, Value>;
 
-/// The value of an expression; `Err`: why it has none.
-pub(crate) fn evaluate(text: &str, known: &Values) -> Result<Value, String> {
-    let mut reader = Reader { rest: text.trim(), known, depth: 0 };
-    let value = reader.sum()?;
-    match reader.rest.trim_start() {
-        "" => finite(value),
-        rest => Err(format!("`{rest}` is not understood")),
-    }
+/// The value of an expression; `Err`: why it has none, and what part of the text is to blame.
+pub(crate) fn evaluate(text: &str, known: &Values) -> Result<Value, (String, Range<usize>)> {
+    let whole = text.trim_end();
+    let mut reader = Reader { rest: whole, known, depth: 0, piece: whole.len() };
+    let value = reader.sum().and_then(|value| match reader.rest.trim_start() {
+        "" => finite(value).inspect_err(|_| reader.piece = whole.trim_start().len()),
+        rest => {
+            let why = format!("`{rest}` is not understood");
+            (reader.piece, reader.rest) = (rest.len(), "");
+            Err(why)
+        }
+    });
+    let piece = whole.len() - reader.piece..whole.len() - reader.rest.len();
+    value.map_err(|why| (why, piece))
 }
 
 /// Whether a word can be the name of a parameter.
@@ -73,6 +80,8 @@ struct Reader<'t> {
     rest: &'t str,
     known: &'t Values,
     depth: usize,
+    /// What was left of the text where the piece that is looked at begins.
+    piece: usize,
 }
 
 impl Reader<'_> {
@@ -152,6 +161,7 @@ impl Reader<'_> {
             let value = self.sum()?;
             return if self.takes(")") { Ok(value) } else { Err("a `)` is missing".to_owned()) };
         }
+        self.piece = self.rest.len();
         let first = self.rest.chars().next().ok_or("a value is missing")?;
         if first == '\'' || first == '"' {
             let end = self.rest[1..].find(first).ok_or("a quotation mark is missing")?;
@@ -164,6 +174,7 @@ impl Reader<'_> {
         let end = self.rest.find(|letter| !in_name(letter)).unwrap_or(self.rest.len());
         let name = self.split(end).to_owned();
         if name.is_empty() {
+            self.split(first.len_utf8());
             return Err(format!("`{first}` is not understood"));
         }
         if self.takes("(") {
@@ -195,10 +206,13 @@ impl Reader<'_> {
             true => digits.parse().ok().map(Value::Whole),
             false => digits.parse().ok().map(Value::Real),
         };
-        number.ok_or_else(|| format!("`{digits}` is no number"))
+        let why =
+            if whole { "too large for a whole number: write it with a point" } else { "no number" };
+        number.ok_or_else(|| format!("`{digits}` is {why}"))
     }
 
     fn function(&mut self, name: &str) -> Result<Value, String> {
+        let begin = self.piece;
         let mut given = vec![self.sum()?];
         while self.takes(",") {
             given.push(self.sum()?);
@@ -206,6 +220,7 @@ impl Reader<'_> {
         if !self.takes(")") {
             return Err("a `)` is missing".to_owned());
         }
+        self.piece = begin;
         called(name, &given)
     }
 }
@@ -292,7 +307,7 @@ fn whole(number: f64) -> Result<Value, String> {
 mod tests {
     use super::*;
 
-    fn of(text: &str) -> Result<String, String> {
+    fn of(text: &str) -> Result<String, (String, Range<usize>)> {
         let known =
             [("a", Value::Whole(7)), ("b", Value::Real(0.5)), ("t", Value::Text("S".into()))];
         let known: Values = known.into_iter().map(|(name, own)| (name.to_owned(), own)).collect();
@@ -325,7 +340,7 @@ mod tests {
             ("t", "S"),
             ("'two words'", "two words"),
         ] {
-            assert_eq!(of(text).as_deref(), Ok(value), "{text}");
+            assert_eq!(of(text), Ok(value.to_owned()), "{text}");
         }
         let deep = format!("{}1{}", "(".repeat(5000), ")".repeat(5000));
         for text in [
@@ -351,5 +366,25 @@ mod tests {
         ] {
             assert!(of(text).is_err(), "{text}: {:?}", of(text));
         }
+    }
+
+    /// Requirement: what stands against an expression is the piece that is to blame.
+    #[test]
+    fn pieces() {
+        for (text, piece) in [
+            ("1 + c*2", "c"),
+            ("2*(3 + 1.5.2)", "1.5.2"),
+            ("99999999999999999999", "99999999999999999999"),
+            ("1 + sqrt(-1.0)*a", "sqrt(-1.0)"),
+            ("3 + what(1)", "what(1)"),
+            ("1/0 + 2", "0"),
+            ("1 2", "2"),
+            ("2 + $", "$"),
+            (" 1e300*1e300 ", "1e300*1e300"),
+        ] {
+            let (why, found) = of(text).expect_err(text);
+            assert_eq!(text.get(found), Some(piece), "{text}: {why}");
+        }
+        assert!(of("99999999999999999999").expect_err("large").0.contains("too large"));
     }
 }

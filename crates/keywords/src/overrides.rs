@@ -40,7 +40,7 @@ impl Overrides {
             }
             let value = match evaluate(value, &Values::new()) {
                 Ok(value) => Some(value),
-                Err(why) => {
+                Err((why, _)) => {
                     let message = format!("the parameter {name} cannot be set to `{value}`: {why}");
                     refuse(message, *span, log);
                     None

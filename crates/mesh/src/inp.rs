@@ -5,6 +5,7 @@
 use crate::corners::{is_known, kept};
 use crate::fault::{no_element, unreadable};
 use crate::mesh::{Cell, Group, Mesh};
+use crate::msh::WEDGE as GMSH_WEDGE;
 use crate::names::distinguish;
 use crate::shapes::{faces, shape};
 use slideline_deck::{Card, DataLine, MAX_VALUES, NoFiles, parse};
@@ -240,16 +241,25 @@ fn elements(
         return Err(no_element(message, Some(card.span)));
     }
     let name = title(card, "ELSET").unwrap_or_else(|_| kind.clone());
-    // an element may take more than one line
     let numbers: Vec<(u64, Span)> = card
         .data
         .iter()
         .map(|line| Ok(whole(line)?.into_iter().map(|number| (number, line.span)).collect()))
         .collect::<Fallible<Vec<Vec<_>>>>()?
         .concat();
-    for chunk in numbers.chunks(count + 1) {
+    let full = is_of_full_wedges(&kind, &numbers);
+    let count = if full { FULL_WEDGE.1 } else { count };
+    for (place, chunk) in numbers.chunks(count + 1).enumerate() {
         let (label, span) = chunk[0];
         let mut nodes: Vec<u64> = chunk[1..].iter().map(|(node, _)| *node).collect();
+        // an element may take more than one line, and ends with a line
+        let behind = numbers.get((place + 1) * (count + 1));
+        if behind.is_some_and(|behind| Some(behind.1) == chunk.last().map(|own| own.1)) {
+            let message = format!(
+                "element {label} has more numbers on its line than the {count} nodes of {kind}"
+            );
+            return Err(unreadable(message, Some(span)));
+        }
         if nodes.len() < count {
             return Err(unreadable(
                 format!("element {label} should have {count} nodes"),
@@ -260,10 +270,25 @@ fn elements(
             let message = format!("element {label} has node {node}, which is not in the mesh");
             return Err(unreadable(message, Some(span)));
         }
+        if full {
+            nodes = GMSH_WEDGE.iter().map(|&place| nodes[place]).collect();
+        }
         nodes.truncate(kept(dimension, count));
         places.insert(label, mesh.cells.len());
         blocks.named(&name).cells.push(mesh.cells.len());
         mesh.cells.push(Cell { label, dimension, nodes, span });
     }
     Ok(())
+}
+
+/// What gmsh calls its wedges of the second order with the nodes in the middle of their faces, and how many nodes
+/// they have: those of C3D15 have another name.
+const FULL_WEDGE: (&str, usize) = ("C3D6", 18);
+
+/// Whether all elements of a card are such wedges: one takes a line that is full, and what is left over.
+fn is_of_full_wedges(kind: &str, numbers: &[(u64, Span)]) -> bool {
+    let (name, count) = FULL_WEDGE;
+    let lines: Vec<usize> = numbers.chunk_by(|a, b| a.1 == b.1).map(<[_]>::len).collect();
+    let is_one = |lines: &[usize]| lines.len() == 2 && lines.iter().sum::<usize>() == count + 1;
+    kind == name && !lines.is_empty() && lines.chunks(2).all(is_one)
 }

@@ -25,7 +25,7 @@ type Key = (usize, u64);
 type Kind = (usize, usize, &'static [usize]);
 
 const BRICK: &[usize] = &[0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 13, 9, 16, 18, 19, 17, 10, 12, 14, 15];
-const WEDGE: &[usize] = &[0, 1, 2, 3, 4, 5, 6, 9, 7, 12, 14, 13, 8, 10, 11];
+pub(crate) const WEDGE: &[usize] = &[0, 1, 2, 3, 4, 5, 6, 9, 7, 12, 14, 13, 8, 10, 11];
 
 /// The element types of gmsh that elements here can be made of. [same, section 9.2]
 fn kind(number: u64) -> Option<Kind> {

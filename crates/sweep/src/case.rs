@@ -28,7 +28,7 @@ pub struct Row {
     pub code: Option<String>,
 }
 
-/// Code of a case whose responses name a node or a pair that its model does not have.
+/// Code of a case whose responses name a node, a pair, a step or a time that its model does not have.
 const NO_NODE: &str = "SL0805";
 
 /// What a runner keeps from one case to the next.
@@ -126,7 +126,8 @@ impl<'a> Runner<'a> {
         mut said: Vec<Diagnostic>,
         varied: &(Vec<usize>, Vec<Varied>),
     ) -> Option<Result<(), &'static str>> {
-        if !self.room.history.begin(&self.study.curves, model) {
+        let has_moments = self.study.responses.iter().all(|own| own.objection(model).is_none());
+        if !self.room.history.begin(&self.study.curves, model) || !has_moments {
             return Some(Err(NO_NODE));
         }
         if self.study.watched == Watched::Verdict {

@@ -123,11 +123,14 @@ fn checked_grid(counts: &[u64]) -> Checked<u64> {
 }
 
 fn checked_lists(counts: &[u64]) -> Checked<u64> {
-    if counts.iter().any(|count| *count != counts[0]) {
+    // one number goes with all values of the others
+    let most = counts.iter().copied().max().unwrap_or(0);
+    if counts.iter().any(|count| ![1, most].contains(count)) {
         let message = format!("lists side by side have {counts:?} values");
-        return Err(refused(message, "give all lists the same number of values, or make a grid"));
+        let help = "give all lists the same number of values or one, or make a grid";
+        return Err(refused(message, help));
     }
-    Ok(counts[0])
+    Ok(most)
 }
 
 fn too_many(cases: &str) -> Box<Diagnostic> {

@@ -73,6 +73,20 @@ impl Term {
             _ => Watched::Curves,
         }
     }
+
+    /// The last step that it names, 0 for none, and the latest total time [T].
+    pub fn latest(&self) -> (usize, f64) {
+        match self {
+            Self::Measured(_, _, step) | Self::Work(_, step) => (step.unwrap_or(0), 0.0),
+            Self::At(_, time) => (0, *time),
+            Self::Absolute(inner) | Self::Root(inner) => inner.latest(),
+            Self::Joined(_, both) => {
+                let [a, b] = [both[0].latest(), both[1].latest()];
+                (a.0.max(b.0), a.1.max(b.1))
+            }
+            Self::Number(_) | Self::Parameter(_) | Self::Response(_) | Self::Count(_) => (0, 0.0),
+        }
+    }
 }
 
 /// What stands against an expression, and where in it.

@@ -7,6 +7,9 @@ use slideline::{Colour, Event, Judge, Model, Observer, Stop};
 use slideline_measures::{maximum, peaks, roughness, work};
 use std::ops::{ControlFlow, Range};
 
+/// By what share of the analysis a time may lie beyond its end and still be it [1].
+pub(crate) const AT_END: f64 = 1e-9;
+
 /// Curves of one run, and room for those of the next.
 #[derive(Default)]
 pub(crate) struct History {
@@ -121,6 +124,7 @@ impl History {
 
     /// The derivative of a value at a total time.
     pub fn rate_at(&self, curve: usize, time: f64, parameter: usize) -> Option<f64> {
+        let time = self.at_end(time);
         let after = self.times.partition_point(|&own| own < time);
         let end = *self.times.get(after)?;
         let Some(before) = after.checked_sub(1) else {
@@ -153,6 +157,12 @@ impl History {
         }
     }
 
+    /// A total time, which is that of the last row where rounding lies between them.
+    fn at_end(&self, time: f64) -> f64 {
+        let last = self.times.last().copied().unwrap_or(0.0);
+        if time <= last * (1.0 + AT_END) { time.min(last) } else { time }
+    }
+
     /// Rows of a step, with the one in which it begins; `None`: all.
     fn rows(&self, step: Option<usize>) -> Option<Range<usize>> {
         let Some(step) = step else { return Some(0..self.times.len()) };
@@ -176,6 +186,7 @@ impl History {
     /// Value at a total time [T], linear between increments; `None` before the first or after the
     /// last one.
     pub fn at(&self, curve: usize, time: f64) -> Option<f64> {
+        let time = self.at_end(time);
         let (values, after) = (&self.curves[curve], self.times.partition_point(|&own| own < time));
         let end = *self.times.get(after)?;
         let Some(before) = after.checked_sub(1) else {

@@ -1,12 +1,35 @@
 //! What is asked of every case.
 
 use crate::expression::Term;
-use crate::history::History;
+use crate::history::{AT_END, History};
+use slideline::Model;
+use slideline::diag::Span;
 
 /// A response: an expression that was read.
 #[derive(Clone, Debug)]
 pub(crate) struct Response {
     pub term: Term,
+    /// Where it is said.
+    pub place: Span,
+}
+
+impl Response {
+    /// Why a model has no moment that it names, and what to do; `None`: it has.
+    pub fn objection(&self, model: &Model) -> Option<[String; 2]> {
+        let ((step, time), steps) = (self.term.latest(), model.steps.len());
+        let end: f64 = model.steps.iter().map(|step| step.procedure.period).sum();
+        if step > steps {
+            let message = format!("a response names step {step}, but the deck has {steps} steps");
+            return Some([
+                message,
+                format!("Name a step from 1 to {steps}, or none for all of them."),
+            ]);
+        }
+        (time > end * (1.0 + AT_END)).then(|| {
+            let message = format!("a response names time {time}, but the analysis ends at {end}");
+            [message, format!("Name a total time from 0 to {end}.")]
+        })
+    }
 }
 
 /// The value of every response in a run; `None` where it has none, such as a time that was not reached.

@@ -69,6 +69,7 @@ impl Spread {
     #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)] // counts are small
     pub(crate) fn level(&self, place: u64) -> Number {
         match self {
+            Self::List(values) if values.len() == 1 => values[0],
             Self::List(values) => values[place as usize],
             Self::Levels { ends: [from, to], count } => {
                 let share = place as f64 / (count - 1) as f64;

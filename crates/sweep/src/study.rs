@@ -112,7 +112,7 @@ fn read_responses(
         let new = curves[places.len()..].iter();
         places.extend(new.map(|(_, place)| Span::new(file, place.start, place.end)));
         names.push(name.clone());
-        all.push(Response { term });
+        all.push(Response { term, place: whole });
     }
     Ok((all, curves.into_iter().map(|(curve, _)| curve).zip(places).collect()))
 }

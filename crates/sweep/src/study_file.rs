@@ -124,6 +124,8 @@ impl Reader {
             Ok(mut study) => {
                 let own = study.places.iter_mut();
                 own.for_each(|place| *place = places.in_file(*place, sources));
+                let own = study.responses.iter_mut();
+                own.for_each(|own| own.place = places.in_file(own.place, sources));
                 let mut responses: Vec<String> =
                     responses.into_iter().map(|(name, _)| name).collect();
                 if gradients {

@@ -130,7 +130,7 @@ fn first_case(study: &StudyFile) -> Vec<Setting> {
     values.map(set).collect()
 }
 
-/// Nodes and pairs of responses that the model does not have.
+/// Nodes, pairs, steps and times of responses that the model does not have.
 pub(crate) fn strange_curves(study: &Study, model: &slideline::Model) -> Vec<Diagnostic> {
     let curves = study.curves.iter().zip(&study.places);
     let strange = curves.filter(|(curve, _)| curve.source(model).is_none());
@@ -138,7 +138,11 @@ pub(crate) fn strange_curves(study: &Study, model: &slideline::Model) -> Vec<Dia
         let [message, help] = curve.objection(model);
         Diagnostic::error(Code("SL0805"), message).at(*place).help(help)
     };
-    strange.map(refuse).collect()
+    let moments = study.responses.iter().filter_map(|own| {
+        let [message, help] = own.objection(model)?;
+        Some(Diagnostic::error(Code("SL0805"), message).at(own.place).help(help))
+    });
+    strange.map(refuse).chain(moments).collect()
 }
 
 /// How many cases a shard has so that it takes some seconds: by the time of the first cases.

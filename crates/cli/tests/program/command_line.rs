@@ -247,6 +247,7 @@ fn nothing_is_written_where_there_is_no_deck() {
     write_deck(&folder, "blank.inp", " \n\n");
     for (job, words) in [
         ("missing", "missing.inp cannot be read"),
+        (".", "it is a folder"),
         ("dir", "it is a folder"),
         ("dir.inp", "it is a folder"),
         ("empty", "error[SL01"),
@@ -256,6 +257,9 @@ fn nothing_is_written_where_there_is_no_deck() {
             let output = slideline(&folder, &[command, job]);
             assert_eq!(code(&output), 1, "{command} {job}");
             assert!(stderr(&output).contains(words), "{job}: {}", stderr(&output));
+            let said = [&output.stdout[..], &output.stderr].concat();
+            let said = String::from_utf8(said).unwrap();
+            assert!(!said.lines().any(|line| line.starts_with(": ")), "{job}: {said}");
         }
     }
     assert_eq!(names(&folder), ["blank.inp", "dir.inp", "empty.inp"]);

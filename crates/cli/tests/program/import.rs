@@ -86,7 +86,7 @@ fn every_shape_of_every_format_passes_the_patch_test() {
         }
         count += 1;
     }
-    assert_eq!(count, 25);
+    assert_eq!(count, 26);
 }
 
 /// First coordinates of the nodes of a deck [L].
@@ -178,6 +178,7 @@ fn bad_meshes_are_refused_with_their_line() {
     let folder = folder("bad");
     let good = std::fs::read_to_string(meshes().join("quad4_41.msh")).unwrap();
     let second = std::fs::read_to_string(meshes().join("quad8_22.msh")).unwrap();
+    let five = "*NODE\n1, 0., 0., 0.\n2, 1., 0., 0.\n3, 0., 1., 0.\n4, 0., 0., 1.\n";
     let other = |text: &str, from: &str, to: &str| {
         assert!(text.contains(from), "{from}");
         text.replacen(from, to, 1)
@@ -189,6 +190,12 @@ fn bad_meshes_are_refused_with_their_line() {
         (other(&good, "\n4 0 0\n", "\n4 inf 0\n"), vec![], "SL0831", "finite"),
         (good.split_inclusive("$Nodes\n").next().unwrap().to_owned(), vec![], "SL0831", "ends"),
         ("*NODE\n1, 0., 0.\n".to_owned(), vec![], "SL0831", "no elements"),
+        (
+            format!("{five}5, 0., 0., 2.\n*ELEMENT, TYPE=C3D4\n7, 1, 2, 3, 4, 5\n"),
+            vec![],
+            "SL0831",
+            "element 7 has more",
+        ),
         (String::new(), vec![], "SL0101", "empty"),
         (other(&second, " 16 2", " 7 2"), vec![], "SL0833", "bad.msh:"),
         (other(&second, " 16 2", " 10 2"), vec![], "SL0831", "9 nodes"),

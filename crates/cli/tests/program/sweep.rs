@@ -72,6 +72,17 @@ fn threads_and_shards_change_no_bit() {
     assert_eq!(table(&folder, "three"), one);
 }
 
+/// Requirement: one number goes with all values of the lists beside it.
+#[test]
+fn one_number_stands_beside_lists() {
+    let study = STUDY.replace("{ from = 0.9, to = 1.1, count = 4 }", "1.05");
+    let folder = prepared("sweep_together", &format!("design = \"together\"\n{study}"));
+    assert_eq!(sweep(&folder, &["--out", "out", "--csv"]), (0, String::new()));
+    let table = table(&folder, "out");
+    let scales: Vec<&str> = table.lines().skip(1).filter_map(|row| row.split(',').nth(2)).collect();
+    assert_eq!(scales, ["1.05"; 3], "{table}");
+}
+
 #[test]
 fn damaged_shards_are_computed_again() {
     let folder = prepared("sweep_damaged", STUDY);
@@ -120,6 +131,9 @@ fn what_is_wrong_is_said_before() {
         (other("peak(RF1@1)", "peek(RF1@1)"), 1, "SL0804"),
         (other("peak(RF1@1)", "peak(RF1@4711)"), 1, "SL0805"),
         (other("peak(RF1@1)", "peak(RF1@4711)"), 1, "study.toml:4:25"),
+        (other("peak(RF1@1)", "peak(RF1@1, 99)"), 1, "SL0805"),
+        (other("peak(RF1@1)", "peak(RF1@1, 99)"), 1, "names step 99, but the deck has"),
+        (other("peak(RF1@1)", "at(RF1@1, 1e9)"), 1, "but the analysis ends at"),
         (other("peak(RF1@1)", "peak(force_x@NONE)"), 1, "Its contact pairs: "),
         (other("peak(RF1@1)", "peak(released_energie)"), 1, "SL0804"),
         (other("peak(RF1@1)", "last(balance@1)"), 1, "leave @ out"),

@@ -1,7 +1,8 @@
 //! `*PARAMETER`: values behind names.
 
 use slideline_deck::DataLine;
-use slideline_diag::{Code, Diagnostic};
+use slideline_diag::{Code, Diagnostic, Span};
+use std::ops::Range;
 
 use crate::draft::{Draft, ParameterRange};
 use crate::expression::{Value, Values, evaluate, is_name};
@@ -48,7 +49,7 @@ fn define(line: &DataLine, draft: &mut Draft) {
     let named = text.split_once('=').map(|(name, value)| (name.trim(), value.trim()));
     let Some((name, value)) = named.filter(|(name, _)| is_name(name)) else {
         let message = "a parameter is `name = value`, its name of letters, digits and _";
-        broken(message.to_owned(), line, draft);
+        broken(message.to_owned(), line.span, draft);
         return;
     };
     let set = draft.overrides.take(name);
@@ -65,7 +66,7 @@ fn define(line: &DataLine, draft: &mut Draft) {
             }
             draft.parameters.insert(name.to_owned(), value);
         }
-        Err(why) => {
+        Err((why, piece)) => {
             let own = format!("parameter {name}");
             // what follows from one without a value is not complained about as well
             if names(value).any(|used| draft.log.was_said(&format!("parameter {used}"))) {
@@ -87,7 +88,8 @@ fn define(line: &DataLine, draft: &mut Draft) {
             } else {
                 format!(" (with {})", with.join(", "))
             };
-            broken(format!("the parameter {name} has no value: {why}{with}"), line, draft);
+            let at = place_of(value, piece, line);
+            broken(format!("the parameter {name} has no value: {why}{with}"), at, draft);
         }
     }
 }
@@ -122,10 +124,21 @@ fn names(expression: &str) -> impl Iterator<Item = &str> {
         .filter(|word| is_name(word))
 }
 
-fn broken(message: String, line: &DataLine, draft: &mut Draft) {
+/// Where a piece of a value stands, which is a part of its line.
+fn place_of(value: &str, piece: Range<usize>, line: &DataLine) -> Span {
+    let behind = line.text.split_once('=').map_or("", |(_, behind)| behind);
+    let before = line.text.len() - behind.trim_start().len();
+    let begin = line.span.start as usize + before;
+    match piece.is_empty() || !behind.trim_start().starts_with(value) {
+        true => line.span,
+        false => Span::new(line.span.file, begin + piece.start, begin + piece.end),
+    }
+}
+
+fn broken(message: String, at: Span, draft: &mut Draft) {
     draft.log.has_parameters = true;
     draft.mark_all_incomplete();
-    let error = Diagnostic::error(Code("SL0286"), message).at(line.span);
+    let error = Diagnostic::error(Code("SL0286"), message).at(at);
     let help = "numbers, names of lines above, + - * / **, brackets and functions such as sqrt";
     draft.log.push(error.help(format!("a value is made of {help}")));
 }

@@ -34,7 +34,7 @@ pub(super) fn slide_line(
     let middles: Vec<_> = whole.iter().filter_map(|facet| facet.middle).collect();
     let facets: Vec<Facet> = whole.iter().flat_map(Facet::parts).collect();
     let found = match Chain::find(&facets) {
-        Err(Broken::Loop(_)) if is_outline(&whole) => {
+        Err(Broken::Loop(_)) if whole.len() > 2 => {
             Chain::ring(&facets, seam(&whole, slaves, draft))
         }
         found => found,
@@ -125,12 +125,7 @@ fn warn_of_crossing(pairing: &Pairing, (chain, facets): (&Chain, &[Facet]), draf
     );
 }
 
-/// Whether facets are faces of solids, enough of them to go round something.
-fn is_outline(facets: &[Facet]) -> bool {
-    facets.len() > 2 && facets.iter().all(|facet| facet.face.is_some())
-}
-
-/// Where an outline begins and ends: its node that is farthest from the slaves.
+/// Where what closes on itself begins and ends: its node that is farthest from the slaves.
 fn seam(facets: &[Facet], slaves: &[ContactElement], draft: &Draft) -> NodeIndex {
     let at = |node: NodeIndex| draft.model.nodes.position(node);
     let looked_at = (DISTANCES / facets.len().max(1)).clamp(1, LOOKED_AT);

@@ -120,6 +120,21 @@ fn errors_say_the_values_of_parameters() {
     assert_eq!(said[0], own);
 }
 
+/// Requirement: what is underlined is the piece of the value that is to blame; a number that is too large is called so.
+#[test]
+fn the_piece_to_blame_is_underlined() {
+    for (value, piece) in
+        [("2*lenght/2", "lenght"), ("1.0 + 3.4.5", "3.4.5"), ("length*", "half = length*")]
+    {
+        let broken = DECK.replace("half = length/2", &format!("half = {value}"));
+        let read = set(&broken, &[]);
+        let span = errors(&read)[0].span.unwrap();
+        assert_eq!(&broken[span.start as usize..span.end as usize], piece);
+    }
+    let large = DECK.replace("half = length/2", "half = 99999999999999999999");
+    assert!(errors(&set(&large, &[]))[0].message.contains("too large"));
+}
+
 /// The deck with a name in place of every number, and the values of the names at its head.
 fn behind_names(parsed: &Parsed) -> Vec<u8> {
     let mut values = String::from("*PARAMETER\n");

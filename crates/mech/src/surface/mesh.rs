@@ -14,6 +14,7 @@
 use super::axes::{Bearing, axis, bearing_of_axis};
 pub use super::edges::{MeshFace, area_between, is_crease, nodes_at_ends, surface_ends};
 use super::edges::{area, edge, ends, faces_around, middle, neighbours, normal};
+use super::meridian::SweptPlace;
 use super::mirror::Mirror;
 use super::patch::{MOST_CORNERS, MOST_NODES, Patch};
 use super::smoothing::{Round, Smoothing, group};
@@ -53,6 +54,8 @@ pub struct FaceMesh {
     /// Where friction has coefficients along the axes of the surface: how axis 1 stands to the first
     /// tangent in the middle of each face; empty else [1].
     axes: Vec<Bearing>,
+    /// Whether it has such axes.
+    is_directed: bool,
     /// Edges of each face that are drawn as they are; empty where none is smoothed.
     drawn: Vec<[bool; MOST_CORNERS]>,
     /// Normals of the planes of symmetry at which it ends [1].
@@ -127,7 +130,19 @@ impl FaceMesh {
         let at_ends = nodes_at_ends(&faces, &ends);
         let (axes, slave) = (Vec::new(), f64::INFINITY);
         let planes = mirrors.iter().map(|own| own.normal).collect();
-        Self { faces, joined, swept: None, is_sharp, ends, at_ends, axes, drawn, planes, slave }
+        Self {
+            faces,
+            joined,
+            swept: None,
+            is_sharp,
+            ends,
+            at_ends,
+            axes,
+            is_directed: false,
+            drawn,
+            planes,
+            slave,
+        }
     }
 
     /// An analytical surface on the four markers of its body.
@@ -143,6 +158,7 @@ impl FaceMesh {
             ends: Vec::new(),
             at_ends: Vec::new(),
             axes: Vec::new(),
+            is_directed: false,
             drawn: Vec::new(),
             planes: Vec::new(),
             slave: f64::INFINITY,
@@ -152,11 +168,13 @@ impl FaceMesh {
     /// No direction of its faces is special any more.
     pub fn forget_axes(&mut self) {
         self.axes.clear();
+        self.is_directed = false;
     }
 
     /// Notes the axes of its faces as they are undeformed, by the axes of space in their middles and the
     /// positions of its nodes [L]; those of an analytical surface are its profile and what stands across it.
     pub fn take_axes(&mut self, axes: impl Fn(Vector) -> Axes, position: impl Fn(usize) -> Vector) {
+        self.is_directed = true;
         if self.swept.is_some() {
             return;
         }
@@ -176,6 +194,22 @@ impl FaceMesh {
         let bearing = *self.axes.get(face)?;
         let (tangents, normal) = patch.frame(&patch.place(patch.middle()))?;
         Some(axis(bearing, tangents[0], normal))
+    }
+
+    /// Axis 1 of a surface of revolution where a point stands that stood elsewhere `before`, where friction
+    /// has coefficients along the axes and the profile has a direction [1].
+    pub fn profile(
+        &self,
+        (markers, normal): (&[Vector], Vector),
+        places: [SweptPlace; 2],
+    ) -> Option<Vector> {
+        let swept = self.swept.as_ref().filter(|_| self.is_directed)?;
+        swept.profile_of_way((markers, normal), places)
+    }
+
+    /// Whether a place is in a pole, where axis 1 has no direction.
+    pub fn is_pole(&self, place: SweptPlace) -> bool {
+        self.is_directed && self.swept.as_ref().is_some_and(|swept| swept.is_pole(place))
     }
 
     /// The analytical surface that it is.

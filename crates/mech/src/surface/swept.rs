@@ -29,7 +29,7 @@ pub enum Sweep {
 /// Part of a pole's radius up to which its cap has coordinates across the axis [1].
 const CAP: f64 = 0.7;
 /// What counts as on the axis, over the size of a segment [1].
-const ON_AXIS: f64 = 1e-9;
+pub(super) const ON_AXIS: f64 = 1e-9;
 
 /// A swept profile.
 #[derive(Debug, Clone, PartialEq)]
@@ -131,11 +131,17 @@ impl Swept {
         (2 * segment + 1, if cap.outward { [x, y] } else { [y, x] })
     }
 
+    /// The larger side of a box about the ends of a segment [L].
+    pub(super) fn size(&self, segment: usize) -> f64 {
+        let (start, end) = (self.segments[segment].start(), self.segments[segment].end());
+        (end[0] - start[0]).abs().max((end[1] - start[1]).abs())
+    }
+
     /// The cap of a segment that meets the axis at right angles.
     fn cap(&self, segment: usize) -> Option<Cap> {
         let own = self.segments[segment];
         let (start, end) = (own.start(), own.end());
-        let size = (end[0] - start[0]).abs().max((end[1] - start[1]).abs());
+        let size = self.size(segment);
         let touches = start[0].abs().min(end[0].abs()) <= ON_AXIS * size;
         if self.sweep == Sweep::Along || !touches {
             return None;

@@ -15,6 +15,7 @@ mod crosspoints;
 mod decaying_friction;
 mod field;
 mod flush_blocks;
+mod friction_of_revolution;
 mod grazing;
 mod halves;
 mod interference;

@@ -5,6 +5,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
 use crate::noise::{RIDGE, codes, folder, run_in};
+use crate::space_decks::{Block, Kind};
 use slideline::{Job, ReadOptions, Status};
 
 /// [`RIDGE`] with contact at the nodes, and the stroke.
@@ -114,4 +115,34 @@ fn what_is_missed_does_not_depend_on_the_numbering() {
     let flank = 0.33 / 0.33f64.hypot(0.8);
     let expected = 0.5 * (0.2 + 0.1) * flank;
     assert!((one / expected - 1.0).abs() < 1e-3, "{one} {expected}");
+}
+
+/// Two blocks of tetrahedra on one another, three by three faces each; the lower one ends in a ridge that is so high.
+fn blocks_of_tetrahedra(ridge: f64) -> String {
+    let block = |name, base| Block { name, base, cells: [3, 3, 1], kind: Kind::C3d4 };
+    let (upper, lower) = (block("B", 0), block("F", 1000));
+    let mut deck = String::from("*HEADING\n");
+    upper.write(&mut deck, |[x, y, z]| [6.0 * x, 6.0 * y, 3.0 + 3.0 * z]);
+    // its second row of nodes is the crest
+    let fall = |x: f64| ridge * (3.0 * x - 1.0).abs();
+    lower.write(&mut deck, |[x, y, z]| [6.0 * x, 6.0 * y, z * (3.0 - fall(x))]);
+    deck.push_str(&upper.surface("SLAVE", |at| at[2] == 0.0));
+    deck.push_str(&lower.surface("MASTER", |at| at[2] == 1.0));
+    deck.push_str(&upper.set("TOP", |at| at[2] == 1.0));
+    deck.push_str(&lower.set("LOW", |at| at[2] == 0.0));
+    deck + "*SOLID SECTION, ELSET=B, MATERIAL=M\n*SOLID SECTION, ELSET=F, MATERIAL=M\n*MATERIAL, NAME=M\n\
+            *ELASTIC\n1000., 0.\n*SURFACE INTERACTION, NAME=I\n*CONTACT PAIR, INTERACTION=I, TYPE=NODE TO SURFACE\n\
+            SLAVE, MASTER\n*STEP, NLGEOM\n*STATIC\n0.5, 1.\n*BOUNDARY\nLOW, 1, 3\nTOP, 1, 2\nTOP, 3, 3, -0.06\n\
+            *END STEP\n"
+}
+
+/// Requirement: blocks of tetrahedra that are flat where they meet miss nothing, though beyond their corners, where
+/// every way across a triangle of the slave leads, the master has no face; a ridge under a row of their nodes
+/// is told.
+#[test]
+fn what_is_flat_is_not_narrow_for_triangles() {
+    let said =
+        |name: &str, ridge| told(name, &blocks_of_tetrahedra(ridge)).contains(&"SL0621".to_owned());
+    assert!(!said("flat_tetrahedra", 0.0));
+    assert!(said("ridge_of_tetrahedra", 0.4));
 }

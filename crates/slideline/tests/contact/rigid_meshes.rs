@@ -224,3 +224,59 @@ fn what_a_rigid_mesh_cannot() {
     let pressed = pressed.replacen("300, 1, 6\n", "300, 1, 6\n*DSLOAD\nR, P, 1.\n", 1);
     assert!(codes(&pressed).contains(&"SL0221".to_owned()));
 }
+
+/// Facets of a wheel, and increments while one of them passes.
+const FACETS: usize = 24;
+const EACH: usize = 4;
+
+/// A block that is pressed on a wheel of rigid elements or beams, which then turns all the way round. The elements are
+/// listed from the one of that number on.
+fn wheel(rigid: &str, side: &str, begin: usize, kind: &str) -> String {
+    let angle = |k: usize| std::f64::consts::TAU * (k as f64 + 0.5) / FACETS as f64;
+    let at =
+        |k: usize| format!("{}, {:?}, {:?}\n", 201 + k, 5.0 * angle(k).cos(), 5.0 * angle(k).sin());
+    let nodes: String = (0..FACETS).map(at).collect();
+    let element = |k: usize| {
+        let [own, next] = [(begin + k) % FACETS, (begin + k + 1) % FACETS];
+        format!("{}, {}, {}\n", 11 + k, 201 + own, 201 + next)
+    };
+    let elements: String = (0..FACETS).map(element).collect();
+    let section = match rigid {
+        "B21" => "*BEAM SECTION, ELSET=L, MATERIAL=M, SECTION=RECT\n1., .1\n",
+        _ => "",
+    };
+    format!(
+        "*NODE\n1, -1., 5.\n2, 0., 5.\n3, 1., 5.\n4, -1., 6.\n5, 0., 6.\n6, 1., 6.\n300, 0., 0.\n{nodes}\
+         *ELEMENT, TYPE=CPE4, ELSET=E\n1, 1, 2, 5, 4\n2, 2, 3, 6, 5\n*SOLID SECTION, ELSET=E, MATERIAL=M\n1.\n\
+         *MATERIAL, NAME=M\n*ELASTIC\n1000., .3\n*ELEMENT, TYPE={rigid}, ELSET=L\n{elements}{section}\
+         *SURFACE, NAME=R\nL{side}\n*RIGID BODY, ELSET=L, REF NODE=300\n*SURFACE, NAME=B\nE, S1\n\
+         *SURFACE INTERACTION, NAME=I\n1.\n*CONTACT PAIR, INTERACTION=I, TYPE={kind}\nB, R\n*NSET, NSET=TOP\n4, 5, 6\n\
+         *STEP, NLGEOM\n*STATIC\n.5, 1.\n*BOUNDARY\nTOP, 1\nTOP, 2, 2, -.2\n300, 1, 6\n*END STEP\n\
+         *STEP, NLGEOM\n*STATIC\n{0:?}, 1., 1e-6, {0:?}\n*BOUNDARY\n300, 6, 6, {1:?}\n*END STEP\n",
+        1.0 / (FACETS * EACH) as f64,
+        std::f64::consts::TAU
+    )
+}
+
+/// Requirement: a closed chain of rigid elements or of beams is a master all the way round: every facet that passes
+/// has the forces of the one before, that of the seam too, and where the chain begins and which way its
+/// elements run makes no difference. Such a cam was refused (SL0329). 1e-8.
+#[test]
+fn a_closed_cam_turns_all_the_way_round() {
+    for kind in ["NODE TO SURFACE", "SURFACE TO SURFACE"] {
+        for rigid in ["R2D2", "B21"] {
+            let found = run(&wheel(rigid, ", SNEG", 0, kind));
+            let turning = &found[2..];
+            assert_eq!(turning.len(), FACETS * EACH, "{rigid} {kind}: an increment was cut");
+            compare(&turning[..turning.len() - EACH], &turning[EACH..], &format!("{rigid} {kind}"));
+            for begin in [7, 18] {
+                compare(
+                    &found,
+                    &run(&wheel(rigid, ", SNEG", begin, kind)),
+                    &format!("{rigid} {kind} {begin}"),
+                );
+            }
+            compare(&found, &run(&wheel(rigid, "", 3, kind)), &format!("{rigid} {kind} open"));
+        }
+    }
+}

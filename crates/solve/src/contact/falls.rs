@@ -87,6 +87,13 @@ impl Face {
         })
     }
 
+    /// The same way from its middle towards a node of it and back, where it is a triangle: from the node into the face.
+    /// The sides of others that are opposite one another have both.
+    fn inward(&self, node: [f64; 3]) -> Option<[f64; 3]> {
+        let middle = mean(self.corners.iter().copied());
+        (self.corners.len() == 3).then(|| sub(middle, node).map(|own| self.part * own))
+    }
+
     /// How far a face that is a chord of something round lies off that in its middle, where `normal` is the one
     /// at a node of it [L].
     fn rise(&self, normal: [f64; 3]) -> f64 {
@@ -107,7 +114,7 @@ impl Face {
     }
 
     /// How far a master falls away from a place where its gap is known, within half of the face towards every
-    /// corner [L].
+    /// corner, and from a node (with a `level`) into the face [L].
     fn falls(
         &self,
         (least, met): GapAt,
@@ -115,7 +122,9 @@ impl Face {
         gap: &mut impl FnMut([f64; 3]) -> Option<f64>,
     ) -> f64 {
         let long = self.long();
-        let falls = self.ways(level).map(|way| {
+        // about the corner of a part no way of a triangle need lead along it
+        let inward = level.and_then(|_| self.inward(met));
+        let falls = self.ways(level).chain(inward).map(|way| {
             let there = gap(std::array::from_fn(|axis| met[axis] + way[axis]));
             there.map_or(long, |gap| (gap - least).clamp(0.0, long))
         });

@@ -14,7 +14,7 @@ use crate::dofs::Translations;
 use crate::state::PointState;
 use slideline_mech::contact::friction::FrictionLaw;
 use slideline_mech::contact::gap::offset::Offset;
-use slideline_mech::contact::pair::Laws;
+use slideline_mech::contact::pair::{Footing, Laws};
 use slideline_model::{Allowed, Amplitude, ContactPair, Formulation, Model, NodeIndex};
 use std::collections::HashSet;
 use std::ops::Range;
@@ -301,10 +301,9 @@ impl Contact {
     /// The place among the laws of the law that a point of a pair obeys, of what it was at the last
     /// commit.
     pub fn law_of(&self, pair: usize, before: &PointState) -> usize {
-        match self.keeps[pair] && before.closed {
-            true => self.pair_count() + pair,
-            false => pair,
-        }
+        let bonded = usize::from(self.keeps[pair] && before.closed);
+        let in_pole = usize::from(self.is_in_pole(pair, before));
+        (bonded + 2 * in_pole) * self.pair_count() + pair
     }
 
     /// That law.
@@ -312,7 +311,18 @@ impl Contact {
         &self.laws[self.law_of(pair, before)]
     }
 
-    /// Fills in the laws of closed points that do not separate from those of their pairs.
+    /// Whether a point stood in the pole of a surface of revolution with two coefficients of friction.
+    fn is_in_pole(&self, pair: usize, before: &PointState) -> bool {
+        match (&self.masters[pair], before.footing) {
+            (MasterSurface::Faces { mesh, .. }, Some(Footing { place, .. })) => {
+                mesh.is_pole((place.face, place.at))
+            }
+            _ => false,
+        }
+    }
+
+    /// Fills in the laws of closed points that do not separate from those of their pairs, and of points in
+    /// poles: all ways out of a pole are along the profile.
     pub(super) fn take_bonds(&mut self) {
         let pairs = self.pair_count();
         self.laws.truncate(pairs);
@@ -321,6 +331,10 @@ impl Contact {
             let bonded = own.normal.bonded().filter(|_| self.keeps[pair]);
             let normal = bonded.unwrap_or_else(|| own.normal.clone());
             self.laws.push(Laws { normal, ..own.clone() });
+        }
+        for place in 0..2 * pairs {
+            let own = self.laws[place].clone();
+            self.laws.push(Laws { friction: own.friction.in_pole(), ..own });
         }
     }
 

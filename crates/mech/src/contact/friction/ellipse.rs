@@ -30,6 +30,11 @@ impl Ellipse {
         }
     }
 
+    /// The first coefficient in all directions; `None` where it is zero.
+    pub fn of_first(&self) -> Option<Self> {
+        (self.0[0] > 0.0).then_some(Self(Tangential([self.0[0]; 2])))
+    }
+
     /// Both coefficients where the larger one is `coefficient` [1].
     pub fn coefficients(&self, coefficient: f64) -> [f64; 2] {
         (coefficient * self.0).0

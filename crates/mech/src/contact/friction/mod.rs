@@ -73,6 +73,19 @@ impl FrictionLaw {
         }
     }
 
+    /// The law in the pole of a surface of revolution: all ways out of it are along the profile, axis 1.
+    #[must_use]
+    pub fn in_pole(&self) -> Self {
+        let mut own = self.clone();
+        if let Self::Coulomb { coefficient, ellipse, .. } = &mut own {
+            match ellipse.of_first() {
+                Some(first) => *ellipse = first,
+                None => (*coefficient, *ellipse) = (0.0, Ellipse::CIRCLE),
+            }
+        }
+        own
+    }
+
     /// The traction min(mu p, tau_max) on the circle at which sliding begins [F/L2], with mu at the
     /// mean rate of the increment; infinite for a rough surface under pressure, zero for a user law.
     pub fn limit_traction(&self, pressure: f64, slip: Tangential, dt: f64) -> f64 {

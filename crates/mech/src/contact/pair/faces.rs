@@ -90,13 +90,19 @@ impl FacePoint {
         let patch = mesh.place(place.face, positions, &mut room.own)?;
         let gap = FaceGap::new(patch, place.at, point)?;
         let tangent = gap.tangents()[0];
-        let axis = mesh.axis(place.face, gap.patch());
+        let profile = |from: FacePlace| {
+            let places = [from, place].map(|own| (own.face, own.at));
+            mesh.profile((positions, gap.normal), places)
+        };
+        let axis = mesh.axis(place.face, gap.patch()).or_else(|| profile(place));
         let anew = || {
             let directions = directions_across(gap.normal, axis.unwrap_or(tangent));
             Turned::new(gap.normal, directions, gap.normal)
         };
         let kept = before.and_then(|before| {
-            Some((before, Turned::new(before.normal, before.directions(), gap.normal)?))
+            let carried = Turned::new(before.normal, before.directions(), gap.normal)?;
+            let along = |near| along_profile(near, &carried, (before.normal, gap.normal));
+            Some((before, profile(before.place).and_then(along).unwrap_or(carried)))
         });
         let Some((before, turned)) = kept else {
             let turned = anew()?;
@@ -111,12 +117,10 @@ impl FacePoint {
         let at = from.place(before.place.at);
         let way = sub(point, from.position(&at.value));
         let slip = Tangential(turned.directions.map(|t| dot(t, way)));
-        let footing = Footing {
-            place,
-            normal: gap.normal,
-            direction: carried(before, (&from, before.place.at), &turned, gap.normal),
-            bearing: [1.0, 0.0],
-        };
+        let direction = carried(before, (&from, before.place.at), &turned, gap.normal);
+        let along = |near| directions_across(gap.normal, alike(near, direction))[0];
+        let direction = profile(place).map_or(direction, along);
+        let footing = Footing { place, normal: gap.normal, direction, bearing: [1.0, 0.0] };
         let bearing = bearing(&footing, tangent);
         let footing = Footing { bearing, ..footing };
         Some(Self { gap, place, turned, slip, way, before: Some((from, before.place)), footing })
@@ -268,6 +272,19 @@ pub(super) fn borne(before: &Footing, tangent: Vector, normal: Vector) -> Option
     let [c, s] = before.bearing;
     let own = sub(scale(across, c), scale(cross(normal, across), s));
     (size > 0.0).then(|| scale(own, 1.0 / size))
+}
+
+/// The directions along the profile of a surface of revolution and across it, as ones that turned with the normal
+/// from where it stood to where it stands; the profile is taken the way that is nearer to the directions that
+/// were carried along. What turns about the normal is left out of derivatives.
+fn along_profile(near: Vector, carried: &Turned, (from, to): (Vector, Vector)) -> Option<Turned> {
+    let directions = directions_across(to, alike(near, carried.directions[0]));
+    Turned::new(from, Turned::new(to, directions, from)?.directions, to)
+}
+
+/// A direction or the opposite one, which is nearer to another.
+fn alike(near: Vector, other: Vector) -> Vector {
+    if dot(near, other) < 0.0 { scale(near, -1.0) } else { near }
 }
 
 /// The first direction after an increment: it turns with the surface where the point stood, and from
