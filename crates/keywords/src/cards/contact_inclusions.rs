@@ -45,9 +45,6 @@ impl Keyword for ContactInclusions {
         }
         general.inclusions.extend(card.data().iter().map(two));
         card.data().iter().for_each(|line| draft.log.at_most(line, 2));
-        if card.has("ALL ELEMENT BASED") || card.has("SURFACE PAIRS") {
-            return; // said already
-        }
         card.first_line("two surfaces", &mut draft.log);
     }
 }
