@@ -245,6 +245,8 @@ catalogue! {
     "SL0621" "slave faces too wide for what they meet"
     "SL0622" "corners of the master are smoothed away"
     "SL0623" "a *DISTRIBUTING coupling that has turned far"
+    "SL0624" "a beam pulled by much of its shear stiffness"
+    "SL0625" "a beam pulled by nearly its shear stiffness or more"
     "SL0701" "the deck cannot be read"
     "SL0702" "results cannot be written"
     "SL0703" "the deck includes a file that is a result of the same job"

@@ -14,8 +14,10 @@ use slideline_deck::normalise;
 
 mod names;
 mod parameters;
+mod passed_over;
 mod variables;
 
+use names::Group;
 pub(crate) use names::Treatment;
 pub(crate) use parameters::parameter;
 pub(crate) use variables::variable;
@@ -31,11 +33,15 @@ pub(crate) struct Other {
     pub help: &'static str,
 }
 
+/// All groups: those that change the model, those that do not.
+fn groups() -> impl Iterator<Item = &'static Group> {
+    names::GROUPS.iter().chain(passed_over::GROUPS)
+}
+
 /// The entry of a normalised keyword.
 pub(crate) fn find(word: &str) -> Option<Other> {
     static BY_NAME: LazyLock<HashMap<String, Other>> = LazyLock::new(|| {
-        let groups = names::GROUPS.iter();
-        let entries = groups.flat_map(|&(treatment, help, names)| {
+        let entries = groups().flat_map(|&(treatment, help, names)| {
             names.iter().map(move |&name| (normalise(name), Other { name, treatment, help }))
         });
         entries.collect()
@@ -63,8 +69,7 @@ mod tests {
     #[test]
     fn no_keyword_of_ours_is_another_programs() {
         let own = REGISTRY.iter().map(|keyword| normalise(keyword.name()));
-        for (own, group) in own.flat_map(|own| names::GROUPS.iter().map(move |g| (own.clone(), g)))
-        {
+        for (own, group) in own.flat_map(|own| groups().map(move |g| (own.clone(), g))) {
             // *CONTACT is a keyword, and no abbreviation of *CONTACT PAIR.
             let hides = |name: &&&str| own.starts_with(&normalise(name)) && **name != "CONTACT";
             assert_eq!(group.2.iter().find(hides), None, "{own}");
@@ -73,7 +78,7 @@ mod tests {
 
     #[test]
     fn every_name_stands_in_one_group() {
-        let all: Vec<_> = names::GROUPS.iter().flat_map(|group| group.2).collect();
+        let all: Vec<_> = groups().flat_map(|group| group.2).collect();
         let once: std::collections::HashSet<_> = all.iter().map(|name| normalise(name)).collect();
         let twice: Vec<_> =
             all.iter().filter(|a| all.iter().filter(|b| b == a).count() > 1).collect();

@@ -77,6 +77,8 @@ const ENERGY: [f64; 2] = [0.05, 0.5];
 const NOISE: f64 = 0.01;
 /// Step next to a peak above which the true peak is not known.
 pub const COARSE_PEAK: f64 = 0.1;
+/// Beams whose sections turn away from their axis.
+const OVERPULLED: &str = "SL0625";
 /// Fibre strain above which a linear law is doubtful for most materials.
 const STRAIN: f64 = 0.05;
 /// Turn or strain that linear kinematics follow: errors are half its square.
@@ -103,13 +105,21 @@ fn above(value: Option<f64>, limit: f64) -> Option<f64> {
 }
 
 /// What makes a result wrong; energy is red far out of balance, amber before.
-fn wrong(measures: &RunMeasures) -> [Rule; 5] {
+fn wrong(measures: &RunMeasures) -> [Rule; 6] {
     let energy = |left: f64| {
         format!("energy: {} % of it does not balance; use shorter increments", percent(left))
     };
     let lost = above(measures.energy, ENERGY[1]);
     [
         (Colour::Red, measures.unfinished.clone()),
+        (
+            Colour::Red,
+            measures.said.iter().any(|code| code == OVERPULLED).then(|| {
+                format!(
+                    "beams: the tension of one is too large for its shear stiffness ({OVERPULLED})"
+                )
+            }),
+        ),
         (
             Colour::Red,
             above(measures.pair_imbalance, UNBALANCED)
@@ -226,6 +236,7 @@ mod tests {
         assert_eq!(verdict(&clean()), Verdict { colour: Colour::Green, reasons: Vec::new() });
         assert_eq!(verdict(&RunMeasures::default()).colour, Colour::Green);
         let nan = Some(f64::NAN);
+        let said = |code: &str| RunMeasures { said: vec![code.into()], ..clean() };
         let rows: Vec<(Colour, &str, RunMeasures)> = vec![
             (
                 Colour::Red,
@@ -244,22 +255,21 @@ mod tests {
                 "*ALLOWABLE",
                 RunMeasures { strain: Some(0.06), utilisation: None, ..clean() },
             ),
+            (Colour::Amber, "warning: SL0624", said("SL0624")),
             (Colour::Amber, "rubber: ", RunMeasures { unstable: Some(2.0), ..clean() }),
             (Colour::Amber, "NLGEOM", RunMeasures { linear: Some(0.2), ..clean() }),
             (Colour::Amber, "noise: ", RunMeasures { noise: Some(0.02), ..clean() }),
             (Colour::Amber, "increments: ", RunMeasures { peak_step: Some(0.2), ..clean() }),
             (Colour::Amber, "overlap: ", RunMeasures { penetration: Some(4.0), ..clean() }),
-            (
-                Colour::Amber,
-                "warning: SL0402",
-                RunMeasures { said: vec!["SL0402".into()], ..clean() },
-            ),
+            (Colour::Amber, "warning: SL0402", said("SL0402")),
         ];
         for (colour, reason, measures) in rows {
             let found = verdict(&measures);
             assert_eq!((found.colour, found.reasons.len()), (colour, 1), "{reason}: {found:?}");
             assert!(found.reasons[0].1.contains(reason), "{reason}: {found:?}");
         }
+        let beams = verdict(&said("SL0625"));
+        assert_eq!((beams.colour, beams.reasons.len()), (Colour::Red, 2), "{beams:?}");
         // strain is judged by its allowable where there is one
         let strained = RunMeasures { strain: Some(0.06), utilisation: Some(0.9), ..clean() };
         assert_eq!(verdict(&strained).colour, Colour::Green);

@@ -37,6 +37,7 @@ mod memory;
 mod moments;
 mod newton;
 pub mod observe;
+mod overpulled;
 mod plan;
 mod predict;
 mod problem;

@@ -8,6 +8,7 @@ mod model_change;
 mod neighbours;
 mod opening;
 pub(crate) mod options;
+mod overpulled_beams;
 mod recovery;
 mod released_moments;
 mod sensitivities;

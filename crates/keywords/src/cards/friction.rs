@@ -113,13 +113,15 @@ fn law(card: &Reading<'_>, draft: &mut Draft) -> Option<model::Friction> {
 
 fn coulomb(card: &Reading<'_>, draft: &mut Draft) -> Option<model::Friction> {
     let limit = positive(card, "TAUMAX", true, draft);
-    let line = card.first_line("the coefficient of friction", &mut draft.log)?;
-    let stick = stick_rule(card, line, draft);
-    if let Some(second) = card.data().get(1) {
-        let message = "a coefficient that depends on slip rate, pressure or temperature \
-                       is not supported: one data line";
-        draft.log.error("SL0221", message, second.span);
+    if card.data().is_empty() && left_out(card, draft) {
+        return Some(model::Friction::Frictionless);
     }
+    let line = card.first_line("the coefficient of friction", &mut draft.log)?;
+    if let Some(second) = card.data().get(1) {
+        varies(second, draft);
+        return None;
+    }
+    let stick = stick_rule(card, line, draft);
     let coefficient = coefficient(line, 0, draft);
     let decay = if card.has("EXPONENTIAL DECAY") {
         draft.log.at_most(line, 3);
@@ -136,6 +138,29 @@ fn coulomb(card: &Reading<'_>, draft: &mut Draft) -> Option<model::Friction> {
     let coefficient = coefficient?;
     let law = model::Friction::Coulomb { coefficient, second, limit: limit?, decay, stick: stick? };
     Some(if law.acts() { law } else { model::Friction::Frictionless })
+}
+
+/// Abaqus takes a value that is left out for zero: no friction.
+fn left_out(card: &Reading<'_>, draft: &mut Draft) -> bool {
+    let needed = card.has("EXPONENTIAL DECAY") || card.has("ANISOTROPIC");
+    if needed || draft.dialect != Dialect::Abaqus {
+        return false;
+    }
+    let message = "*FRICTION gives no coefficient: there is no friction";
+    let note = Diagnostic::note(Code("SL0257"), message).at(card.span());
+    draft.log.push(note.help("write the coefficient of friction on the line below"));
+    true
+}
+
+/// A table of coefficients: refused under its own name.
+fn varies(second: &DataLine, draft: &mut Draft) {
+    let message = "a coefficient of friction that depends on slip rate, pressure or temperature is not supported: \
+                   one data line";
+    let error = Diagnostic::error(Code("SL0221"), message).at(second.span);
+    draft.log.push(error.help(
+        "give one coefficient, that of the pressures of the part; one that falls with the slip rate is \
+         EXPONENTIAL DECAY with `mu_s, mu_k, d`, a limit of the shear stress TAUMAX",
+    ));
 }
 
 fn coefficient(line: &DataLine, at: usize, draft: &mut Draft) -> Option<f64> {

@@ -47,10 +47,22 @@ const GROUPS: &[Group] = &[
         "give MASTER, SLAVE and VALUE: one gap for the slaves of a pair",
         &["CPSET", "TABULAR", "BOLT", "INPUT"],
     ),
+    ("CONTACT PAIR", "leave it out: every pair is told apart by its two surfaces", &["OP"]),
     (
         "CONTACT PAIR",
-        "leave it out: every pair is told apart by its two surfaces",
-        &["GEOMETRIC CORRECTION", "WEIGHT", "OP"],
+        "name the slave first and the master second: either surface is one or the other, whatever the weight",
+        &["WEIGHT"],
+    ),
+    (
+        "CONTACT PAIR",
+        "facets of a round master are smoothed by SMOOTH= with TYPE=NODE TO SURFACE; or mesh the round more finely, \
+         or describe it with *RIGID SURFACE",
+        &["GEOMETRIC CORRECTION"],
+    ),
+    (
+        "CONTACT INCLUSIONS",
+        "write ALL EXTERIOR, or name two *SURFACEs a line",
+        &["ALL ELEMENT BASED", "SURFACE PAIRS"],
     ),
     (
         "DLOAD",

@@ -25,6 +25,7 @@ mod loads_over_steps;
 mod middle_nodes;
 mod model_change;
 mod moments_of_turned_nodes;
+mod overpulled_beams;
 mod partial_couplings;
 mod parts;
 mod rubber;

@@ -6,6 +6,7 @@ use super::shown::Rows;
 use crate::contact::Reached;
 use crate::observe::reports::Totals;
 use crate::observe::{Ending, Event, Observer, Stop};
+use crate::overpulled::OverpulledBeams;
 use crate::plan::Numbering;
 use crate::problem::Means;
 use crate::sensitivity::Varied;
@@ -65,6 +66,8 @@ pub struct Analysis<'a> {
     pub(super) edges_are_judged: bool,
     /// Clouds of nodes of which it was said that they have turned far.
     pub(super) turned_means: Vec<usize>,
+    /// Beams that are pulled beyond their shear stiffness.
+    pub(super) overpulled: OverpulledBeams,
     /// Nodes that slid off the ends of their masters, pair by pair.
     pub(super) slid_off: Vec<SlidOff>,
     pub(super) rows: &'a mut Rows,
@@ -118,6 +121,7 @@ impl<'a> Analysis<'a> {
             room_is_judged: false,
             edges_are_judged: false,
             turned_means: Vec::new(),
+            overpulled: OverpulledBeams::default(),
             slid_off: Vec::new(),
             rows,
             varied: None,

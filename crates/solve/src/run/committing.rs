@@ -43,6 +43,7 @@ impl Analysis<'_> {
         let dropped = |point: &&crate::state::PointState| point.friction == FrictionCall::Dropped;
         self.totals.dropped_points += self.committed.points.iter().filter(dropped).count();
         self.rows.fill(plan, self.committed);
+        self.watch_overpulled(plan, target);
         let last = *decision == Decision::StepDone;
         let numbers = Numbers { last, ..Numbers::of(target, outcome) };
         let Rows { contact, closed, pairs, sums, .. } = &mut *self.rows;
@@ -64,6 +65,7 @@ impl Analysis<'_> {
         }
         if *decision == Decision::StepDone {
             told = told.and(self.judge_stabilisation(plan)).and(self.judge_balance(plan, target));
+            told = told.and(self.judge_overpulled(plan));
         }
         told = told.and(self.judge_room(plan)).and(self.judge_edges(plan, work));
         told = told.and(self.judge_means(plan));

@@ -5,7 +5,7 @@ use crate::checkpoint::Checkpoint;
 use crate::contact::{Contact, NearContact, Reached};
 use crate::increments::{Control, Decision, Verdict};
 use crate::newton::Scratch;
-use crate::observe::{Ending, Event};
+use crate::observe::Ending;
 use crate::problem::{self, Problem};
 use crate::start::Start;
 use crate::structure::Structure;
@@ -227,12 +227,11 @@ impl Analysis<'_> {
                         self.fail(plan, (&target, &outcome), None)?;
                         self.show_unconverged(plan, &target, &outcome, work)?;
                     }
-                    let diagnosis = match diagnosis {
-                        Some(found) => found,
-                        None => Box::new(self.diagnosis(plan, &target, &outcome, reason, work)),
+                    let found = match diagnosis {
+                        Some(found) => *found,
+                        None => self.diagnosis(plan, &target, &outcome, reason, work),
                     };
-                    self.tell(Event::Diagnosed(&diagnosis))?;
-                    return Err(Left::Failed(diagnosis));
+                    return Err(self.tell_cause(plan, &outcome, found)?);
                 }
             }
             work.take_back(outcome);
