@@ -52,8 +52,9 @@ pub(crate) fn evaluate(text: &str, known: &Values) -> Result<Value, (String, Ran
             Err(why)
         }
     });
-    let piece = whole.len() - reader.piece..whole.len() - reader.rest.len();
-    value.map_err(|why| (why, piece))
+    let begin = whole.len() - reader.piece;
+    let piece = whole[begin..whole.len() - reader.rest.len()].trim_end();
+    value.map_err(|why| (why, begin..begin + piece.len()))
 }
 
 /// Whether a word can be the name of a parameter.

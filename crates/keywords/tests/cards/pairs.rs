@@ -259,7 +259,7 @@ fn what_is_no_chain_is_refused() {
     let branch = format!("{more}11, 3, 6\n");
     assert_eq!(tip("2, 3, 11", &branch), ["SL0254", "SL0329"], "branch");
     let ring = format!("{more}11, 4, 6\n12, 6, 3\n");
-    assert!(!tip("3, 11, 12", &ring).contains(&"SL0329".to_owned()), "a ring is a master");
+    assert!(!tip("3, 11, 12", &ring).contains(&"SL0329"), "a ring is a master");
 }
 
 #[test]

@@ -113,8 +113,8 @@ impl Face {
         gaps.min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
-    /// How far a master falls away from a place where its gap is known, within half of the face towards every
-    /// corner, and from a node (with a `level`) into the face [L].
+    /// How far a master falls away from a place where its gap is known, within half of the face towards every corner,
+    /// and where it has no face there, from a node (with a `level`) into the face [L].
     fn falls(
         &self,
         (least, met): GapAt,
@@ -122,13 +122,13 @@ impl Face {
         gap: &mut impl FnMut([f64; 3]) -> Option<f64>,
     ) -> f64 {
         let long = self.long();
-        // about the corner of a part no way of a triangle need lead along it
-        let inward = level.and_then(|_| self.inward(met));
-        let falls = self.ways(level).chain(inward).map(|way| {
+        let mut falls = |way: [f64; 3]| {
             let there = gap(std::array::from_fn(|axis| met[axis] + way[axis]));
-            there.map_or(long, |gap| (gap - least).clamp(0.0, long))
-        });
-        falls.fold(long, f64::min)
+            there.map(|gap| (gap - least).clamp(0.0, long))
+        };
+        let least = self.ways(level).filter_map(&mut falls).reduce(f64::min);
+        // about the corner of a part no way of a triangle need lead along it
+        least.or_else(|| level.and_then(|_| self.inward(met)).and_then(falls)).unwrap_or(long)
     }
 }
 
