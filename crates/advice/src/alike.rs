@@ -13,6 +13,8 @@ use std::collections::{HashMap, HashSet};
 
 /// Gap that counts as none, over the size of the model [1].
 const TOUCH: f64 = 1e-6;
+/// Cosine of the angle of normals up to which faces stand across a master, and look neither way [1]. (choice)
+const ACROSS: f64 = 0.1;
 
 /// How many points touch or overlap a master that was drawn, whose outside looks the same way as their own faces;
 /// `None` where those are not the most of all that do.
@@ -25,7 +27,8 @@ pub fn look_alike(start: &Start<'_>, place: usize, pair: &ContactPair) -> Option
     let touching = || start.facing(place).filter(|row| row.opening < TOUCH * start.reach);
     let looks_alike = |row: &&ContactRow| {
         let along = |own: &[f64; 3]| (0..3).map(|k| own[k] * row.normal[k]).sum::<f64>();
-        normals.get(&row.node).is_some_and(|own| along(own) > 0.0)
+        let size = |own: &[f64; 3]| own.iter().map(|part| part * part).sum::<f64>().sqrt();
+        normals.get(&row.node).is_some_and(|own| along(own) > ACROSS * size(own))
     };
     let alike = touching().filter(looks_alike).count();
     (alike > 0 && 2 * alike > touching().count()).then_some(alike)

@@ -369,7 +369,7 @@ fn evaluate_contact(
             let h = kinematics.overclosure;
             let defect = if now.closed { h.abs() } else { h.max(0.0) };
             let ways = (trial.u, &committed.displacement[..]);
-            if now.closed || h <= 0.0 || !plan.stands_held(place, (&kinematics, &into.rows), ways) {
+            if h <= 0.0 || !plan.stands_held(place, (&kinematics, &into.rows), ways) {
                 into.penetration = into.penetration.max(defect);
             }
         }

@@ -89,8 +89,8 @@ fn levers(model: &Model, master: NodeIndex, dependent: NodeIndex) -> [bool; 3] {
     arm.map(|part| part > ROUNDING * longest)
 }
 
-/// Part of an arm that is rounding [1].
-const ROUNDING: f64 = 1e-12;
+/// Part of an arm that is rounding, of meshes that were written with seven digits [1].
+const ROUNDING: f64 = 1e-6;
 
 /// Notes which dofs of its master a link follows: u = U + phi x arm, component by component; along
 /// axes of its own all of both vectors. Small turns act by levers alone, large ones by all of an arm.

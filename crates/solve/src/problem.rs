@@ -191,7 +191,9 @@ impl<'a> Problem<'a> {
         let (mut most, mut whole) = (0.0_f64, 0.0_f64);
         for (&dof, &g) in kinematics.rows.unknowns.iter().zip(kinematics.rows.normal()) {
             whole = whole.max(g.abs());
-            let note = &mut |_: usize, a: f64| most = most.max((a * g).abs());
+            let note = &mut |equation: usize, a: f64| {
+                most = most.max((a * g * self.units[equation]).abs());
+            };
             self.constraints.for_each_equation(rows, dof, note);
         }
         most > LEAST_LEVER * whole

@@ -126,8 +126,7 @@ impl<'a> Runner<'a> {
         mut said: Vec<Diagnostic>,
         varied: &(Vec<usize>, Vec<Varied>),
     ) -> Option<Result<(), &'static str>> {
-        let has_moments = self.study.responses.iter().all(|own| own.objection(model).is_none());
-        if !self.room.history.begin(&self.study.curves, model) || !has_moments {
+        if !self.room.history.begin(&self.study.curves, model) {
             return Some(Err(NO_NODE));
         }
         if self.study.watched == Watched::Verdict {

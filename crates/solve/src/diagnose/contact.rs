@@ -18,7 +18,7 @@ impl Case<'_> {
 
     /// Hard points that cannot all close.
     pub(super) fn overconstrained(&self) -> Option<Diagnostic> {
-        let (found, why) = match self.work.told_apart(self.plan) {
+        let (found, why) = match self.work.told_apart(self.plan, self.committed) {
             Some(found) => (found, "neither they nor their master can move"),
             None => (
                 self.work.contradiction(self.plan, self.committed, self.dt)?,

@@ -119,7 +119,10 @@ impl Scratch {
                 && kinematics.faces
                 && !plan.contact_yields(kinematics, &self.evaluation.rows)
             {
-                (self.pressures[place], self.tractions[place]) = (0.0, Tangential::ZERO);
+                // what pressed before both sides were held presses on
+                if !before.closed {
+                    (self.pressures[place], self.tractions[place]) = (0.0, Tangential::ZERO);
+                }
                 continue;
             }
             let touching = kinematics.faces

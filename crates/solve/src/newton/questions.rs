@@ -80,20 +80,29 @@ impl Scratch {
 
     /// Hard points whose place is prescribed, as that of their master is, and
     /// that stand too deep in it.
-    pub fn told_apart(&self, plan: &Problem<'_>) -> Option<Contradiction> {
+    pub fn told_apart(&self, plan: &Problem<'_>, committed: &State) -> Option<Contradiction> {
         let tolerance = self.contact_tolerance(plan, 0.0);
         let (mut places, mut left) = (Vec::new(), 0.0_f64);
         for (place, point) in plan.contact.points.iter().enumerate() {
             let kinematics = &self.evaluation.kinematics.at(place);
             let law = &plan.contact.laws[point.pair].normal;
             let yields = plan.contact_yields(kinematics, &self.evaluation.rows);
-            let deep = kinematics.faces && kinematics.overclosure > tolerance;
+            let deep = kinematics.faces
+                && kinematics.overclosure > tolerance
+                && !self.stands_held(plan, committed, place);
             if deep && !yields && !point.is_integration_point() && law.pressure(0.0).is_none() {
                 places.push(place);
                 left = left.max(kinematics.overclosure);
             }
         }
         (!places.is_empty()).then_some(Contradiction { places, left })
+    }
+
+    /// Whether a point and its master are held where they are.
+    pub fn stands_held(&self, plan: &Problem<'_>, committed: &State, place: usize) -> bool {
+        let evaluation = &self.evaluation;
+        let at = (&evaluation.kinematics.at(place), &evaluation.rows);
+        plan.stands_held(place, at, (&self.u, &committed.displacement))
     }
 
     /// Hard points that contradict one another in the last iteration.

@@ -261,8 +261,13 @@ impl Row {
 }
 
 /// Whether contact that is hard stands on another branch in a neighbour: closed it would pull, open
-/// it would lie beyond its master.
-pub fn leaves_hard_branch(plan: &Problem<'_>, committed: &State, now: &[PointState]) -> bool {
+/// it would lie beyond its master, and not because both are held there.
+pub fn leaves_hard_branch(
+    plan: &Problem<'_>,
+    committed: &State,
+    now: &[PointState],
+    stands_held: impl Fn(usize) -> bool,
+) -> bool {
     if plan.contact.laws.iter().all(|own| own.normal.pressure(0.0).is_some()) {
         return false;
     }
@@ -272,6 +277,9 @@ pub fn leaves_hard_branch(plan: &Problem<'_>, committed: &State, now: &[PointSta
         if law.is_bonded() || law.pressure(0.0).is_some() || now.along.is_none() {
             return false;
         }
-        if now.closed { now.pressure < 0.0 } else { -now.opening > beyond }
+        match now.closed {
+            true => now.pressure < 0.0,
+            false => -now.opening > beyond && !stands_held(place),
+        }
     })
 }

@@ -79,7 +79,7 @@ impl Increment<'_> {
         self.collect_forces(pair, (base, kept), room);
         let worked = dot(&kept.force, &room.tangent.moved);
         self.commit_both(pair, (base, stored + worked), room);
-        self.is_smooth_there(pair, room).then_some(())?;
+        self.is_smooth_there(pair, (base, room)).then_some(())?;
         self.collect_rates(pair, room, into)?;
         let Moves { moved, force, .. } = &room.tangent;
         moved.iter().chain(force).all(|rate| rate.is_finite()).then_some(())
@@ -288,12 +288,14 @@ impl Increment<'_> {
     }
 
     /// Whether both neighbours stand on the branch of the base, with laws that do not bend.
-    fn is_smooth_there(&self, pair: &Pair<'_>, room: &Room) -> bool {
+    fn is_smooth_there(&self, pair: &Pair<'_>, (base, room): (&Scratch, &Room)) -> bool {
         let (new, [below, above]) =
             (&self.new.points, [&room.after[0].points, &room.after[1].points]);
         let is_on_branch = |k: usize, points: &[PointState]| {
             points.iter().zip(new).all(|(one, other)| is_same_branch(one, other))
-                && !leaves_hard_branch(&pair.problems[k], &room.before[k], points)
+                && !leaves_hard_branch(&pair.problems[k], &room.before[k], points, |place| {
+                    base.stands_held(self.plan, self.old, place)
+                })
         };
         let mut bends = [Bend::default(); 2];
         for (own, (below, above)) in new.iter().zip(below.iter().zip(above)) {

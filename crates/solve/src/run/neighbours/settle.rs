@@ -149,7 +149,9 @@ impl Increment<'_> {
         each.all(|(k, _)| {
             let (points, own) = (&room.after[k].points, &self.new.points);
             own.iter().zip(points).all(|(one, other)| is_same_branch(one, other))
-                && !leaves_hard_branch(&problems[k], &room.before[k], points)
+                && !leaves_hard_branch(&problems[k], &room.before[k], points, |place| {
+                    room.sides[k].stands_held(&problems[k], &room.before[k], place)
+                })
         })
     }
 }
