@@ -14,9 +14,12 @@ use std::ops::Range;
 /// contact point.
 const CONTACT: [(&str, &str, f64); 2] =
     [("contact_pressure", "CPRESS", 0.0), ("contact_opening", "COPEN", f64::NAN)];
+/// A vector of a contact point.
+type Vector = fn(&ContactRow) -> [f64; 3];
+
 /// Arrays of contact along the master: in the plane a number; in space a vector, for every point has
 /// directions of its own.
-const ALONG: [(&str, &str, fn(&ContactRow) -> [f64; 3]); 2] = [
+const ALONG: [(&str, &str, Vector); 2] = [
     ("contact_shear", "CSHEAR1", ContactRow::shear_in_space),
     ("contact_slip", "CSLIP1", ContactRow::slip_in_space),
 ];

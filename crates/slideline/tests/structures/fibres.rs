@@ -124,7 +124,7 @@ fn what_is_refused() {
     };
     assert_eq!(codes(&sound), [""; 0]);
     for (old, new, code) in [
-        (", HOLZAPFEL", ", FUNG-ORTHOTROPIC", "SL0202"),
+        (", HOLZAPFEL", ", FUNG-ORTHOTROPIC", "SL0221"),
         (", HOLZAPFEL", "", "SL0221"),
         (", ORIENTATION=O", "", "SL0309"),
         ("HOLZAPFEL, LOCAL DIRECTIONS=1", "HOLZAPFEL, LOCAL DIRECTIONS=2", "SL0309"),

@@ -29,9 +29,10 @@ impl Observer for Watch {
             Event::Diagnosed(said) => self.codes.push(said.code.0),
             Event::Committed(frame) => {
                 let dofs = [Dof::U1, Dof::U2, Dof::U3];
-                let of = |node| dofs.map(|dof| frame.nodal.displacement(node, dof));
-                self.reference = of(0);
-                self.ends = (1..frame.model.nodes.len()).map(of).collect();
+                let mut all = (0..frame.model.nodes.len())
+                    .map(|node| dofs.map(|dof| frame.nodal.displacement(node, dof)));
+                self.reference = all.next().unwrap_or_default();
+                self.ends = all.collect();
             }
             _ => {}
         }
