@@ -208,6 +208,9 @@ impl<'a> Problem<'a> {
         (kinematics, rows): (&PointRows<'_>, &Rows),
         (u, from): (&[f64], &[f64]),
     ) -> bool {
+        if self.touches_held_node(place, kinematics, (u, from)) {
+            return true;
+        }
         let little = LITTLE * self.contact.spacing[self.contact.points[place].pair];
         if kinematics.overclosure > little || self.contact_yields(kinematics, rows) {
             return false;
@@ -218,6 +221,46 @@ impl<'a> Problem<'a> {
             .map(|(&dof, g)| g * (u[dof] - from[dof]))
             .sum();
         closer <= LEAST_LEVER * little
+    }
+
+    /// Whether a slave node stands at a node of its master, as far as their surfaces are away, and both are held
+    /// where they are: between them nothing gives way, whatever the faces beside them do.
+    pub fn touches_held_node(
+        &self,
+        place: usize,
+        kinematics: &PointRows<'_>,
+        (u, from): (&[f64], &[f64]),
+    ) -> bool {
+        let point = &self.contact.points[place];
+        if !point.is_node() || !self.is_held(point.node) {
+            return false;
+        }
+        let little = LITTLE * self.contact.spacing[point.pair];
+        let of = |u: &[f64], node: usize| self.dofs.translation(u, node);
+        let apart = |node: usize, u: &[f64]| -> f64 {
+            let [x, y] =
+                [point.node, node].map(|node| (self.model.nodes.position(node), of(u, node)));
+            let along = |k: usize| (x.0[k] + x.1[k]) - (y.0[k] + y.1[k]);
+            (0..3).map(|k| along(k) * along(k)).sum::<f64>().sqrt()
+        };
+        let moves_alike = |node: usize| {
+            let way = |node: usize, k: usize| of(u, node)[k] - of(from, node)[k];
+            (0..3).all(|k| (way(node, k) - way(point.node, k)).abs() <= LEAST_LEVER * little)
+        };
+        let thick = self.contact.offset_of(point.pair);
+        let nodes = kinematics.rows.unknowns.iter().map(|&dof| self.dofs.name(dof).0);
+        nodes.filter(|&node| node != point.node).any(|node| {
+            (apart(node, u) - thick).abs() <= little && self.is_held(node) && moves_alike(node)
+        })
+    }
+
+    /// Whether supports hold a node along all axes.
+    fn is_held(&self, node: usize) -> bool {
+        self.dofs.of_node(node).all(|dof| {
+            let is_held =
+                matches!(self.constraints.roles[dof], Role::Prescribed(_) | Role::Inactive);
+            is_held || self.dofs.is_rotation(dof)
+        })
     }
 
     /// Average length of the contact elements of a pair [L].

@@ -240,3 +240,71 @@ fn what_is_clamped_together_presses_nothing() {
         }
     }
 }
+
+/// The same of beams that are as thick as they are apart.
+fn thick_leaves(along: [usize; 2], friction: &str) -> String {
+    let mut deck = String::new();
+    for (leaf, count) in along.into_iter().enumerate() {
+        let (name, first) = (["LOW", "HIGH"][leaf], 1000 * leaf);
+        deck += "*NODE\n";
+        for node in 0..=2 * count {
+            let x = 15.0 * node as f64 / count as f64;
+            writeln!(deck, "{}, {x:?}, {leaf}.", first + node + 1).unwrap();
+        }
+        writeln!(deck, "*ELEMENT, TYPE=B22, ELSET={name}").unwrap();
+        for element in 0..count {
+            let one = first + 2 * element + 1;
+            writeln!(deck, "{one}, {one}, {}, {}", one + 1, one + 2).unwrap();
+        }
+        writeln!(deck, "*NSET, NSET=ROOT\n{}", first + 1).unwrap();
+        writeln!(deck, "*BEAM SECTION, ELSET={name}, MATERIAL=M, SECTION=RECT\n1., 1.").unwrap();
+        writeln!(deck, "*SURFACE, NAME=S{name}\n{name}, {}", ["SPOS", "SNEG"][leaf]).unwrap();
+    }
+    write!(
+        deck,
+        "*MATERIAL, NAME=M\n*ELASTIC\n20000., 0.3\n*SURFACE PROPERTY ASSIGNMENT, PROPERTY=THICKNESS\n\
+         SLOW, ORIGINAL\nSHIGH, ORIGINAL\n*SURFACE INTERACTION, NAME=I\n{friction}*CONTACT PAIR, INTERACTION=I\n\
+         SHIGH, SLOW\n*BOUNDARY\nROOT, 1, 2\nROOT, 6\n*STEP, NLGEOM\n*STATIC\n0.25, 1.\n*CLOAD\n{}, 2, -0.5\n*END STEP\n",
+        1001 + 2 * along[1]
+    )
+    .unwrap();
+    deck
+}
+
+/// Of the last increment: the tip's motion down, the sum of the roots' reactions upward; and the most iterations.
+#[derive(Default)]
+struct ThickLeaves([f64; 2], usize);
+
+impl Observer for ThickLeaves {
+    fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
+        if let Event::Committed(frame) = event {
+            let nodes = &frame.model.nodes;
+            let tip = (1001..1100).rev().find_map(|label| nodes.find(label)).unwrap();
+            let roots = [1, 1001].map(|label| nodes.find(label).unwrap());
+            let sum = roots.iter().map(|&node| frame.nodal.reaction(node, Dof::U2)).sum();
+            self.0 = [-frame.nodal.displacement(tip, Dof::U2), sum];
+            self.1 = self.1.max(frame.severe_iterations + frame.equilibrium_iterations);
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// Requirement: the same of beams whose thickness touches at the clamp, where the faces beside it turn: each carries
+/// half of the load, and increments take a few iterations. The held ends once reacted with 1e8, or let nothing converge.
+#[test]
+fn beams_that_are_clamped_together_press_nothing_there() {
+    let exact = 0.25 * 30.0_f64.powi(3) / (3.0 * 20000.0 / 12.0);
+    for along in [[6, 7], [5, 5], [8, 6]] {
+        for friction in ["", "*FRICTION\n0.2\n"] {
+            let deck = thick_leaves(along, friction);
+            let read = Job::read_text("leaves", &deck, &ReadOptions::default());
+            let mut seen = ThickLeaves::default();
+            let model = read.model.unwrap_or_else(|| panic!("{:#?}", read.diagnostics));
+            let ending = slideline::solve(&model, &SolveOptions::default(), &mut seen);
+            assert!(matches!(ending, Ending::Completed(_)), "{along:?}{friction}: {ending:?}");
+            let ThickLeaves([tip, sum], most) = seen;
+            assert!((tip / exact - 1.0).abs() < 0.04, "{along:?}{friction}: {tip} {exact}");
+            assert!((sum - 0.5).abs() < 1e-6 && most <= 8, "{along:?}{friction}: {sum} {most}");
+        }
+    }
+}

@@ -261,6 +261,11 @@ impl Contact {
         }
     }
 
+    /// How far nodes of both sides of a pair are apart where their surfaces touch [L].
+    pub fn offset_of(&self, pair: usize) -> f64 {
+        self.offsets[pair].both()
+    }
+
     /// Whether a point is a crossing of two sharp edges.
     pub fn is_crossing(&self, place: usize) -> bool {
         self.points[place].is_crossing

@@ -115,10 +115,12 @@ impl Scratch {
             let law = plan.contact.law_of(point.pair, before);
             let laws = &plan.contact.laws[law];
             let is_hard = laws.normal.pressure(0.0).is_none();
-            if is_hard
-                && kinematics.faces
-                && !plan.contact_yields(kinematics, &self.evaluation.rows)
-            {
+            let ways = (&self.u[..], &committed.displacement[..]);
+            let is_held = || {
+                !plan.contact_yields(kinematics, &self.evaluation.rows)
+                    || plan.touches_held_node(place, kinematics, ways)
+            };
+            if is_hard && kinematics.faces && is_held() {
                 // what pressed before both sides were held presses on
                 if !before.closed {
                     (self.pressures[place], self.tractions[place]) = (0.0, Tangential::ZERO);
