@@ -114,13 +114,7 @@ impl Scratch {
             let before = &committed.points[place];
             let law = plan.contact.law_of(point.pair, before);
             let laws = &plan.contact.laws[law];
-            let is_hard = laws.normal.pressure(0.0).is_none();
-            let ways = (&self.u[..], &committed.displacement[..]);
-            let is_held = || {
-                !plan.contact_yields(kinematics, &self.evaluation.rows)
-                    || plan.touches_held_node(place, kinematics, ways)
-            };
-            if is_hard && kinematics.faces && is_held() {
+            if self.is_held(plan, committed, (place, law)) {
                 // what pressed before both sides were held presses on
                 if !before.closed {
                     (self.pressures[place], self.tractions[place]) = (0.0, Tangential::ZERO);
@@ -164,6 +158,17 @@ impl Scratch {
                 self.points[added].set_augmentation(Augmentation::default());
             }
         }
+    }
+
+    /// Whether hard contact of a point has nothing that it could move.
+    fn is_held(&self, plan: &Problem<'_>, committed: &State, (place, law): (usize, usize)) -> bool {
+        let kinematics = &self.evaluation.kinematics.at(place);
+        let is_hard = plan.contact.laws[law].normal.pressure(0.0).is_none();
+        let ways = (&self.u[..], &committed.displacement[..]);
+        is_hard
+            && kinematics.faces
+            && (!plan.contact_yields(kinematics, &self.evaluation.rows)
+                || plan.touches_held_node(place, kinematics, ways))
     }
 
     /// Elements and geometry of contact: the tangent without the stiffness that
