@@ -113,9 +113,6 @@ fn law(card: &Reading<'_>, draft: &mut Draft) -> Option<model::Friction> {
 
 fn coulomb(card: &Reading<'_>, draft: &mut Draft) -> Option<model::Friction> {
     let limit = positive(card, "TAUMAX", true, draft);
-    if card.data().is_empty() && left_out(card, draft) {
-        return Some(model::Friction::Frictionless);
-    }
     let line = card.first_line("the coefficient of friction", &mut draft.log)?;
     if let Some(second) = card.data().get(1) {
         varies(second, draft);
@@ -138,18 +135,6 @@ fn coulomb(card: &Reading<'_>, draft: &mut Draft) -> Option<model::Friction> {
     let coefficient = coefficient?;
     let law = model::Friction::Coulomb { coefficient, second, limit: limit?, decay, stick: stick? };
     Some(if law.acts() { law } else { model::Friction::Frictionless })
-}
-
-/// Abaqus takes a value that is left out for zero: no friction.
-fn left_out(card: &Reading<'_>, draft: &mut Draft) -> bool {
-    let needed = card.has("EXPONENTIAL DECAY") || card.has("ANISOTROPIC");
-    if needed || draft.dialect != Dialect::Abaqus {
-        return false;
-    }
-    let message = "*FRICTION gives no coefficient: there is no friction";
-    let note = Diagnostic::note(Code("SL0257"), message).at(card.span());
-    draft.log.push(note.help("write the coefficient of friction on the line below"));
-    true
 }
 
 /// A table of coefficients: refused under its own name.

@@ -86,8 +86,7 @@ fn friction_that_is_refused() {
     assert_eq!(refused("*FRICTION, DEPVAR=1\n0.3\n"), ["SL0215"]);
     assert_eq!(refused("*FRICTION\n-0.1\n"), ["SL0216"]);
     assert_eq!(refused("*FRICTION\n11\n"), ["SL0217"]);
-    // a coefficient that is left out is zero, and is said
-    assert_eq!(refused("*FRICTION\n"), ["SL0257"]);
+    assert_eq!(refused("*FRICTION\n"), ["SL0208"]);
     assert_eq!(refused("*FRICTION, ANISOTROPIC\n"), ["SL0208"]);
     // a table of coefficients is one cause
     assert_eq!(refused("*FRICTION\n0.3, 0., 0.\n0.2, 10., 0.\n"), ["SL0221"]);
