@@ -17,6 +17,7 @@ use crate::heaviest::Heaviest;
 use crate::increments::Control;
 use crate::observe::reports::Totals;
 use crate::observe::results::Energies;
+use crate::overpulled::OverpulledBeams;
 use crate::start::Start;
 use crate::state::State;
 use crate::structure::Reference;
@@ -47,6 +48,8 @@ pub struct Checkpoint<'a> {
     pub(crate) control: Option<Control>,
     /// Pairs where they have carried most so far.
     pub(crate) heaviest: Cow<'a, [Heaviest]>,
+    /// Beams of the step so far that are pulled beyond their shear stiffness.
+    pub(crate) overpulled: OverpulledBeams,
     /// The contact that the pattern of the tangent holds.
     pub(crate) near: NearContact<'a>,
 }
@@ -150,6 +153,7 @@ impl Checkpoint<'_> {
             && state.damping.iter().all(|value| value.is_finite())
             && self.heaviest.len() == model.contact_pairs.len()
             && self.heaviest.iter().all(Heaviest::is_sound)
+            && self.overpulled.fit(model)
     }
 }
 
@@ -200,6 +204,7 @@ mod tests {
                 falls_away: 0.1,
                 ..Heaviest::default()
             }]),
+            overpulled: OverpulledBeams::default(),
             near: NearContact {
                 candidates: Cow::Owned(vec![
                     Candidates::All,

@@ -10,6 +10,8 @@
 
 use crate::observe::results::BlockResults;
 use crate::problem::Problem;
+use crate::target::Target;
+use serde::{Deserialize, Serialize};
 use slideline_diag::{Code, Diagnostic};
 use slideline_model::{BeamSection, ElementBlock, Kinematics, Model, NodeIndex, Section};
 
@@ -21,7 +23,7 @@ const WRONG: f64 = 0.5;
 const STRAIGHT: f64 = 1e-6;
 
 /// An element whose tension counts against its shear stiffness.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Overpulled {
     /// Index of its block.
     block: usize,
@@ -55,7 +57,7 @@ impl Overpulled {
     }
 
     /// SL0625 where bending is wrong, SL0624 where it is doubtful.
-    pub fn code(&self) -> Code {
+    fn code(&self) -> Code {
         if self.is_wrong() { Code("SL0625") } else { Code("SL0624") }
     }
 
@@ -87,8 +89,16 @@ impl Overpulled {
         )
     }
 
+    /// Whether it is an element of the model, with numbers that a run can reach.
+    fn is_sound(&self, model: &Model) -> bool {
+        let numbers = [self.tension, self.shear, self.added, self.length];
+        let block = model.blocks.get(self.block);
+        let is_element = block.is_some_and(|block| self.member < block.elements.len());
+        is_element && numbers.iter().all(|own| own.is_finite())
+    }
+
     /// The warning: where in the run it was found is given in words.
-    pub fn warning(&self, model: &Model, at: &str) -> Diagnostic {
+    fn warning(&self, model: &Model, at: &str) -> Diagnostic {
         let what = match self.is_wrong() {
             true => "its sections turn away from its axis, and bending there is wrong".to_owned(),
             false => {
@@ -115,15 +125,63 @@ impl Overpulled {
     }
 }
 
-/// Elements that the increments of a step have found.
-#[derive(Debug, Default)]
+/// Where in a run an increment ended.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Moment {
+    /// Number of the step, from 1.
+    step: usize,
+    /// Its increment, from 1.
+    increment: usize,
+    /// [T]
+    total_time: f64,
+}
+
+impl Moment {
+    /// The end of a committed increment.
+    pub fn of(target: &Target, total_time: f64) -> Self {
+        Self { step: target.step, increment: target.increment, total_time }
+    }
+
+    /// In words that follow what was found.
+    fn words(&self) -> String {
+        let Self { step, increment, total_time } = self;
+        format!("in step {step}, increment {increment}, at total time {total_time:.6}")
+    }
+}
+
+/// Elements that the increments of a step have found, part of what a run goes on from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct OverpulledBeams {
     /// That of the committed state.
     pub now: Option<Overpulled>,
     /// The worst of the step, and where in the run.
-    pub worst: Option<(Overpulled, String)>,
-    /// What was said.
-    pub told: Vec<Code>,
+    pub worst: Option<(Overpulled, Moment)>,
+    /// Whether it was said in the run that bending is doubtful, and that it is wrong.
+    told: [bool; 2],
+}
+
+impl OverpulledBeams {
+    /// Takes note of the worst element of a committed increment.
+    pub fn take(&mut self, found: Option<Overpulled>, at: Moment) {
+        self.now = found;
+        let Some(found) = found else { return };
+        if self.worst.is_none_or(|(known, _)| found.ratio() > known.ratio()) {
+            self.worst = Some((found, at));
+        }
+    }
+
+    /// What is to be said of what was found since it last was asked, each warning once in a run.
+    pub fn take_warning(&mut self, model: &Model) -> Option<Diagnostic> {
+        let (found, at) = self.worst.take()?;
+        let is_known = std::mem::replace(&mut self.told[usize::from(found.is_wrong())], true);
+        (!is_known).then(|| found.warning(model, &at.words()))
+    }
+
+    /// Whether its elements are such of the model, with numbers that a run can reach.
+    pub fn fit(&self, model: &Model) -> bool {
+        let worst = self.worst.map(|(found, _)| found);
+        [self.now, worst].into_iter().flatten().all(|found| found.is_sound(model))
+    }
 }
 
 /// N/K at which moments at a clamp are short by such a part.

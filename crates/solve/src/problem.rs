@@ -188,15 +188,15 @@ impl<'a> Problem<'a> {
     /// Whether some unknown moves a point towards or from its master. Where slave and master are both held, what
     /// is left is how the normal turns about a gap that is there already, and no force closes that.
     pub fn contact_yields(&self, kinematics: &PointRows<'_>, rows: &Rows) -> bool {
-        let (mut most, mut whole) = (0.0_f64, 0.0_f64);
-        for (&dof, &g) in kinematics.rows.unknowns.iter().zip(kinematics.rows.normal()) {
-            whole = whole.max(g.abs());
-            let note = &mut |equation: usize, a: f64| {
-                most = most.max((a * g * self.units[equation]).abs());
-            };
-            self.constraints.for_each_equation(rows, dof, note);
-        }
-        most > LEAST_LEVER * whole
+        let normal = kinematics.rows.normal();
+        let least = LEAST_LEVER * normal.iter().fold(0.0_f64, |whole, g| whole.max(g.abs()));
+        kinematics.rows.unknowns.iter().zip(normal).any(|(&dof, &g)| {
+            let mut yields = false;
+            self.constraints.for_each_equation(rows, dof, &mut |equation: usize, a: f64| {
+                yields |= (a * g * self.units[equation]).abs() > least;
+            });
+            yields
+        })
     }
 
     /// Whether a point and its master are held where they are: what little it overlaps by is of normals that turn

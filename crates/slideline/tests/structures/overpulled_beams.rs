@@ -2,16 +2,19 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
-use slideline::model::Dof;
-use slideline::{Diagnostic, Event, Job, Observer, ReadOptions, SolveOptions, Stop, solve};
+use slideline::model::{Dof, Model};
+use slideline::{
+    Checkpoint, Diagnostic, Event, Job, Observer, ReadOptions, SolveOptions, Stop, resume, solve,
+};
 use std::fmt::Write as _;
 use std::ops::ControlFlow;
 
-/// What is said, and the last reaction to the turn of the first node [F L].
+/// What is said, the last reaction to the turn of the first node [F L], and the states to go on from.
 #[derive(Default)]
 struct Watch {
     said: Vec<Diagnostic>,
     moment: f64,
+    saved: Vec<Checkpoint<'static>>,
 }
 
 impl Observer for Watch {
@@ -19,6 +22,7 @@ impl Observer for Watch {
         match event {
             Event::Committed(frame) => self.moment = frame.nodal.reaction(0, Dof::UR3),
             Event::Diagnosed(said) => self.said.push(said.clone()),
+            Event::Checkpoint(checkpoint) => self.saved.push(checkpoint.owned()),
             _ => {}
         }
         ControlFlow::Continue(())
@@ -36,6 +40,12 @@ impl Watch {
 /// A strip 80 x 1 x 0.2 of steel of so many elements, under the data lines of `*BOUNDARY` and other cards; `{end}`
 /// and `{middle}` are its nodes.
 fn strip(kind: &str, count: usize, cards: &str) -> Watch {
+    let (model, mut watch) = (strip_model(kind, count, cards), Watch::default());
+    solve(&model, &SolveOptions::default(), &mut watch);
+    watch
+}
+
+fn strip_model(kind: &str, count: usize, cards: &str) -> Model {
     let per = if kind.ends_with('2') { 2 } else { 1 };
     let nodes = per * count;
     let mut deck = "*HEADING\nstrip\n*NODE\n".to_owned();
@@ -58,10 +68,7 @@ fn strip(kind: &str, count: usize, cards: &str) -> Watch {
     )
     .unwrap();
     let read = Job::read_text("strip", &deck, &ReadOptions::default());
-    let model = read.model.unwrap_or_else(|| panic!("{deck}\n{:#?}", read.diagnostics));
-    let mut watch = Watch::default();
-    solve(&model, &SolveOptions::default(), &mut watch);
-    watch
+    read.model.unwrap_or_else(|| panic!("{deck}\n{:#?}", read.diagnostics))
 }
 
 /// Requirement: coarse two-node beams whose tension comes near their shear stiffness are told, with the length that
@@ -87,6 +94,29 @@ fn tension_beyond_the_shear_stiffness_is_told() {
     }
     let pulled = "*BOUNDARY\n1, 1, 6\n{end}, 2, 6\n*CLOAD\n{end}, 1, 400.\n";
     assert!(strip("B21", 16, pulled).codes().is_empty());
+}
+
+/// Requirement: what is said at the end of a step is said by a run that goes on from within it, also where the
+/// worst came before it was left; a run that has said it does not say it again.
+#[test]
+fn what_was_found_is_said_by_the_run_that_goes_on() {
+    let pushed = "*BOUNDARY, AMPLITUDE=BACK\n1, 1, 6\n17, 1, 6\n9, 2, 2, -4.\n";
+    let step = format!("*STEP, NLGEOM\n*STATIC\n0.1, 1., 1e-6, 0.1\n{pushed}");
+    let back = "*AMPLITUDE, NAME=BACK\n0., 0., 0.5, 1., 1., 0.\n";
+    let model = strip_model("B21", 16, &format!("{back}{pushed}*END STEP\n{step}"));
+    let mut whole = Watch::default();
+    solve(&model, &SolveOptions::default(), &mut whole);
+    assert_eq!(whole.codes(), ["SL0625"]);
+    let late = |checkpoint: &&Checkpoint<'_>| checkpoint.total_time() > 0.85;
+    let last_of = |step| whole.saved.iter().rfind(|at| at.step == step && !at.last_of_step());
+    let mut from = whole.saved.iter().filter(late);
+    for (from, codes) in
+        [(from.next(), &["SL0625"][..]), (last_of(1), &["SL0625"]), (last_of(2), &[])]
+    {
+        let (from, mut rest) = (from.unwrap(), Watch::default());
+        resume(&model, &SolveOptions::default(), from.clone(), &mut rest).unwrap();
+        assert_eq!(rest.codes(), codes, "from total time {}", from.total_time());
+    }
 }
 
 /// Requirement: the moment at a clamp is short by sqrt(1 - N/K), which the warning is chosen by. Source: docs/theory.md,

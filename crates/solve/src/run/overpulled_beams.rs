@@ -4,7 +4,7 @@ use super::analysis::{Analysis, Left};
 use crate::increments::Verdict;
 use crate::newton::Outcome;
 use crate::observe::Event;
-use crate::overpulled::Overpulled;
+use crate::overpulled::{Moment, Overpulled};
 use crate::problem::Problem;
 use crate::target::Target;
 use slideline_diag::{Code, Diagnostic};
@@ -16,26 +16,15 @@ impl Analysis<'_> {
             true => Overpulled::worst(plan, &self.rows.elements),
             false => None,
         };
-        let beams = &mut self.overpulled;
-        beams.now = found;
-        let Some(found) = found else { return };
-        if beams.worst.as_ref().is_none_or(|(known, _)| found.ratio() > known.ratio()) {
-            let at = format!(
-                "in step {}, increment {}, at total time {:.6}",
-                target.step, target.increment, self.committed.total_time
-            );
-            beams.worst = Some((found, at));
-        }
+        self.overpulled.take(found, Moment::of(target, self.committed.total_time));
     }
 
-    /// Says what was found since it last was asked, each warning once in a run.
+    /// Says what was found since it last was asked.
     pub(super) fn judge_overpulled(&mut self, plan: &Problem<'_>) -> Result<(), Left> {
-        let Some((found, at)) = self.overpulled.worst.take() else { return Ok(()) };
-        if self.overpulled.told.contains(&found.code()) {
-            return Ok(());
+        match self.overpulled.take_warning(plan.model) {
+            Some(said) => self.tell(Event::Diagnosed(&said)),
+            None => Ok(()),
         }
-        self.overpulled.told.push(found.code());
-        self.tell(Event::Diagnosed(&found.warning(plan.model, &at)))
     }
 
     /// Says why a run stops, and what was found until then.

@@ -50,6 +50,7 @@ impl Analysis<'_> {
     pub fn go_on(&mut self, from: &Checkpoint<'_>, work: &mut Scratch) -> Ending {
         self.committed.clone_from(from.state.as_ref());
         self.rows.heaviest.begin(&from.heaviest);
+        self.overpulled = from.overpulled;
         self.start.references = from.start.references.clone().into_owned().into();
         if from.last_of_step() && !self.resumes {
             return self.ending(from.step + 1, work);

@@ -169,6 +169,7 @@ impl Analysis<'_> {
             start: plan.start.borrowed(),
             control,
             heaviest: Cow::Borrowed(&self.rows.heaviest.pairs),
+            overpulled: self.overpulled,
             near: NearContact { candidates: Cow::Borrowed(plan.near), is_lenient: plan.is_lenient },
         };
         match self.observer.event(Event::Checkpoint(&checkpoint)) {
