@@ -56,6 +56,7 @@ pub fn commit(
     trial.elements.copy_from_slice(&committed.elements);
     plan.structure.gather_state(&evaluation.contributions, &mut trial.elements);
     count_slip(plan, committed, work, trial);
+    plan.contact.note_alone(trial);
     let controls = &plan.step.controls.field;
     trial.flux = committed.flux;
     trial.flux[0].commit(evaluation.flux.mean_force(), controls);

@@ -99,6 +99,8 @@ pub struct PointState {
     pub footing: Option<Footing>,
     /// On which segment of a line of nodes, or of a rigid surface.
     pub segment: Option<usize>,
+    /// Of a sharp edge that does not separate: whether it stands by itself, where its pair does not hold it.
+    pub stands_alone: bool,
 }
 
 impl PointState {
@@ -128,6 +130,11 @@ impl PointState {
     /// The face of its master, or the segment of a line of nodes or a rigid surface, on which it stands.
     pub fn stands_on(&self) -> Option<usize> {
         self.footing.map(|footing| footing.place.face).or(self.segment)
+    }
+
+    /// Its gap before anything is allowed; infinite where it faces nothing [L].
+    pub fn raw_gap(&self) -> f64 {
+        self.opening - self.allowed
     }
 
     /// What the contact laws want to know of it.

@@ -10,6 +10,7 @@
 //!
 //! docs/theory.md section 5.17
 
+use super::before::Before;
 use super::edge_points::{EdgePoints, SlaveNode};
 use super::master::MasterSurface;
 use super::pairs::{Carrier, Contact};
@@ -50,7 +51,7 @@ impl Contact {
         self.edges.push(Vec::new());
         self.spread_nodes.push(Vec::new());
         self.laws.push(self.laws[of].clone());
-        self.keeps.push(false);
+        self.keeps.push(pair.interaction.no_separation);
         self.offsets.push(pair.offset);
         self.spacing.push(self.spacing[of]);
         let master = MasterSurface::of(
@@ -119,46 +120,82 @@ impl Contact {
         for (place, edges) in model.edge_pairs.iter().enumerate() {
             let (own, of) = (pairs + place, edges.of);
             self.laws[own] = self.laws[of].clone();
+            self.keeps[own] = self.keeps[of];
             self.spacing[own] = self.spacing[of];
             self.offsets[own] = self.offsets[of];
             self.take_axes(model, own);
         }
     }
 
-    /// How deep an edge may stand in a face in the next increment: as deep as the mean is, and further the
-    /// flatter it lay upon the face at the last commit [L]. docs/theory.md eq. (5.49)
-    pub(super) fn edge_allowance(&self, place: usize, before: &[PointState]) -> f64 {
-        let edges = self.points[place].pair.checked_sub(self.own_pairs());
-        let (Some(edges), Some(now)) = (edges, before.get(place)) else { return 0.0 };
-        let Some(own) = self.edge_points.get(edges) else { return 0.0 };
-        // one that faced nothing has nothing to be held against
-        if !now.opening.is_finite() || now.along.is_none() {
-            return 0.0;
-        }
-        let Some((mean, size)) = self.mean_about(place, (own, now), before) else { return 0.0 };
-        depth_allowed(mean, now.opening - now.allowed, size)
+    /// How deep an edge may stand in a face unheld: as deep as the mean is, and further the flatter it lay upon the
+    /// face at the last commit [L]. docs/theory.md eq. (5.49)
+    pub(super) fn edge_allowance(&self, place: usize, before: Before<'_>) -> f64 {
+        let stand = self.stand_of_edge(place, before);
+        stand.map_or(0.0, |stand| self.allowance(&stand, self.points[place].pair))
     }
 
-    /// The gap that a pair shows where an edge of it stands, and the size of the faces there [L]; `None` where no
-    /// slave node about it faces anything. docs/theory.md eq. (5.48)
+    /// How deep an edge of a pair may stand unheld [L]: of a soft law beyond where its pressure begins, by the mean of
+    /// now. docs/theory.md eq. (5.49)
+    pub(super) fn allowance(&self, stand: &EdgeStand, pair: usize) -> f64 {
+        match self.is_soft(pair) {
+            true => stand.allowance(stand.mean_now + self.laws[pair].normal.contact_begins()),
+            false => stand.allowance(stand.mean),
+        }
+    }
+
+    /// How an edge stood in the other side at the last commit; `None` where it, or every slave node about it, faces
+    /// nothing, and of points that are no edges.
+    fn stand_of_edge(&self, place: usize, before: Before<'_>) -> Option<EdgeStand> {
+        let edges = self.points[place].pair.checked_sub(self.own_pairs())?;
+        let (own, then) = (self.edge_points.get(edges)?, before.points.get(place)?);
+        // one that faced nothing has nothing to be held against
+        then.along.filter(|_| then.opening.is_finite())?;
+        self.mean_about(place, (own, then), before)
+    }
+
+    /// How an edge stands beside the gap that its pair shows there. docs/theory.md eq. (5.48)
     fn mean_about(
         &self,
         place: usize,
-        (own, now): (&EdgePoints, &PointState),
-        before: &[PointState],
-    ) -> Option<(f64, f64)> {
-        let raw = |&point: &usize| before[point].opening - before[point].allowed;
-        let mut sums = [0.0; 3];
-        for (seat, share) in self.about(place, now).into_iter().filter(|(_, share)| *share > 0.0) {
+        (own, then): (&EdgePoints, &PointState),
+        before: Before<'_>,
+    ) -> Option<EdgeStand> {
+        let mut sums = [0.0; 4];
+        for (seat, share) in self.about(place, then).into_iter().filter(|(_, share)| *share > 0.0) {
             let Some(slave) = own.slaves.get(seat) else { continue };
-            let gap = slave.points.iter().map(raw).fold(f64::INFINITY, f64::min);
+            let least = |gap: &dyn Fn(usize) -> f64| {
+                slave.points.iter().map(|&point| gap(point)).fold(f64::INFINITY, f64::min)
+            };
+            let gap = least(&|point| before.points[point].raw_gap());
+            let now = least(&|point| before.least_gap(point));
             if gap.is_finite() {
-                let [shares, gaps, sizes] = sums;
-                sums = [shares + share, gaps + share * gap, sizes + share * slave.size];
+                let own = [1.0, gap, now, slave.size];
+                sums.iter_mut().zip(own).for_each(|(sum, own)| *sum += share * own);
             }
         }
-        let [shares, gaps, sizes] = sums;
-        (shares > 0.0 && sizes > 0.0).then(|| (gaps / shares, sizes / shares))
+        let [shares, gaps, now, sizes] = sums;
+        (shares > 0.0 && sizes > 0.0).then(|| EdgeStand {
+            mean: gaps / shares,
+            mean_now: now / shares,
+            gap: then.raw_gap(),
+            size: sizes / shares,
+        })
+    }
+
+    /// Notes which edges of pairs that do not separate stand by themselves in a state.
+    pub fn note_alone(&self, state: &mut State) {
+        for place in self.places_of_edges() {
+            let point = &self.points[place];
+            if self.keeps[point.pair] && state.points[place].closed {
+                let now = Before::of(state);
+                let stand = match point.is_crossing {
+                    true => self.stand_of_crossing(place, now),
+                    false => self.stand_of_edge(place, now),
+                };
+                let alone = stand.is_none_or(|stand| stand.is_alone());
+                state.points[place].stands_alone = alone;
+            }
+        }
     }
 
     /// Whether an edge point that was not held is deeper in a face than a face is long: it has come to it
@@ -223,11 +260,30 @@ impl Contact {
     }
 }
 
-/// How deep an edge may stand in the other side by the mean gap that the pair shows there, its own gap and the size
-/// of the faces [L]. docs/theory.md eq. (5.49)
-pub(super) fn depth_allowed(mean: f64, gap: f64, size: f64) -> f64 {
-    let free = FREE * size;
-    (-mean).max(0.0) + free * (1.0 - smooth_step(0.5 * (mean - gap) / free))
+/// How an edge stood in the other side at the last commit [L].
+pub(super) struct EdgeStand {
+    /// The gap that the pair showed there.
+    pub mean: f64,
+    /// The least of it and of that in the last iteration.
+    pub mean_now: f64,
+    /// The gap of the edge.
+    pub gap: f64,
+    /// Size of the faces there.
+    pub size: f64,
+}
+
+impl EdgeStand {
+    /// How deep it may stand unheld beside a mean gap [L]. docs/theory.md eq. (5.49)
+    fn allowance(&self, mean: f64) -> f64 {
+        let free = FREE * self.size;
+        let beyond = 0.5 * (self.mean - self.gap) / free;
+        (-mean).max(0.0) + free * (1.0 - smooth_step(beyond))
+    }
+
+    /// Whether it stands deeper than the pair shows, so that the pair does not hold it.
+    pub fn is_alone(&self) -> bool {
+        self.mean - self.gap > FREE * self.size
+    }
 }
 
 /// Zero up to 0, one from 1 on, smooth between.

@@ -306,7 +306,8 @@ impl Contact {
     /// The place among the laws of the law that a point of a pair obeys, of what it was at the last
     /// commit.
     pub fn law_of(&self, pair: usize, before: &PointState) -> usize {
-        let bonded = usize::from(self.keeps[pair] && before.closed);
+        let is_own = pair < self.own_pairs() || before.stands_alone;
+        let bonded = usize::from(self.keeps[pair] && before.closed && is_own);
         let in_pole = usize::from(self.is_in_pole(pair, before));
         (bonded + 2 * in_pole) * self.pair_count() + pair
     }
@@ -347,7 +348,8 @@ impl Contact {
     pub fn bond(&self, points: &mut [PointState]) {
         for (point, state) in self.points.iter().zip(points) {
             let touches = -state.opening >= -TOUCH * self.spacing[point.pair];
-            state.closed |= self.keeps[point.pair] && state.along.is_some() && touches;
+            let keeps = self.keeps[point.pair] && point.pair < self.own_pairs();
+            state.closed |= keeps && state.along.is_some() && touches;
         }
     }
 }

@@ -71,6 +71,7 @@ impl Contact {
             self.laws[changed.pair].normal = law.into_owned();
             self.keeps[changed.pair] = changed.no_separation;
             for own in self.edges_of(changed.pair) {
+                self.keeps[own] = changed.no_separation;
                 self.laws[own].normal = self.laws[changed.pair].normal.clone();
             }
         }

@@ -98,6 +98,7 @@ impl Encounter<'_> {
             xi: kinematics.xi,
             footing: kinematics.footing,
             segment: kinematics.segment(),
+            stands_alone: false,
         };
         if friction == FrictionCall::Dropped {
             let limit = self.laws.friction.limit_traction(response.pressure, slip, self.dt);

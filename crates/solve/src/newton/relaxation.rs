@@ -1,5 +1,6 @@
 //! What holds a state back on its way downhill.
 
+use crate::contact::Stood;
 use slideline_mech::contact::tangential::Tangential;
 
 /// Below this stiffness it holds nothing [1].
@@ -15,7 +16,7 @@ pub(super) struct Estimates {
     pub(super) pressures: Vec<f64>,
     pub(super) tractions: Vec<Tangential>,
     pub(super) stresses: Vec<f64>,
-    pub(super) standing: Vec<Option<usize>>,
+    pub(super) standing: Vec<Stood>,
 }
 
 /// What holds a state back on its way.

@@ -5,46 +5,79 @@
 use super::places::Found;
 use super::sides::{EdgeCrossings, EdgeSide};
 use crate::contact::before::Before;
-use crate::contact::held_edges::depth_allowed;
+use crate::contact::held_edges::EdgeStand;
 use crate::contact::pairs::Contact;
 use crate::state::PointState;
 use slideline_mech::contact::gap::edges::EdgeGap;
+use slideline_mech::contact::search::faces::FacePlace;
 use slideline_mech::vector::{Vector, dot};
 
 /// Cosine of the angle between the normals of a point and of a crossing from which on its gap is another one [1]: 45 degrees.
 const ALONG: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 impl Contact {
-    /// What a crossing is allowed in the next increment [L]. docs/theory.md eqs (5.49) and (5.53)
+    /// What a crossing is allowed [L]. docs/theory.md eqs (5.49) and (5.53)
     pub(super) fn crossing_allowance(
         &self,
         own: &EdgeCrossings,
         (place, found): (usize, &Found),
         before: Before<'_>,
     ) -> f64 {
-        let Some(now) = before.points.get(place) else { return 0.0 };
-        let stood = now.footing.filter(|_| now.opening.is_finite() && now.along.is_some());
-        let stood =
-            stood.map(|own| own.place).filter(|_| self.continues(own, place, found, before));
-        let (edges, at, gap, normal) = match stood {
-            Some(stood) => (own.edges(stood.face), stood.at, now.opening - now.allowed, now.normal),
-            None => match gap_before(own, found, before) {
-                Some(gap) => (found.edges, gap.at, gap.gap, gap.normal),
-                None => return 0.0,
-            },
+        let stood = match self.continues(own, place, found, before) {
+            true => before.points.get(place).and_then(CrossingStood::of),
+            false => None,
         };
-        let raw = |point: usize| self.gap_along(point, normal, before.points);
-        let means = own.sides().into_iter().zip(edges).zip(at);
-        let means = means.filter_map(|((side, edge), share)| mean(side, (edge, share), raw));
-        means.reduce(f64::min).map_or(0.0, |mean| depth_allowed(mean, gap, self.spacing[own.of]))
+        let came = || {
+            let gap = gap_before(own, found, before)?;
+            let (edges, at) = (found.edges, gap.at);
+            Some(CrossingStood { edges, at, gap: gap.gap, normal: gap.normal })
+        };
+        let stood = stood.map(|(face, stood)| CrossingStood { edges: own.edges(face), ..stood });
+        let stand = stood.or_else(came).and_then(|stood| self.stand_of_edges(own, &stood, before));
+        stand.map_or(0.0, |stand| self.allowance(&stand, own.of))
+    }
+
+    /// How a crossing of a state stands in the other side.
+    pub(in crate::contact) fn stand_of_crossing(
+        &self,
+        place: usize,
+        now: Before<'_>,
+    ) -> Option<EdgeStand> {
+        let first = self.pair_count() - self.crossings.len();
+        let own = self.crossings.get(self.points[place].pair.checked_sub(first)?)?;
+        let (face, stood) = CrossingStood::of(now.points.get(place)?)?;
+        self.stand_of_edges(own, &CrossingStood { edges: own.edges(face), ..stood }, now)
+    }
+
+    fn stand_of_edges(
+        &self,
+        own: &EdgeCrossings,
+        stood: &CrossingStood,
+        before: Before<'_>,
+    ) -> Option<EdgeStand> {
+        let least = |gap: &dyn Fn(usize) -> f64| {
+            let gap =
+                |point: usize| self.gap_along((point, gap(point)), stood.normal, before.points);
+            let means = own.sides().into_iter().zip(stood.edges).zip(stood.at);
+            let means = means.filter_map(|((side, edge), share)| mean(side, (edge, share), gap));
+            means.reduce(f64::min)
+        };
+        let mean = least(&|point| before.points[point].raw_gap())?;
+        let mean_now = least(&|point| before.least_gap(point)).unwrap_or(mean);
+        Some(EdgeStand { mean, mean_now, gap: stood.gap, size: self.spacing[own.of] })
     }
 
     /// The gap of a point that faces the other side within 45 degrees of the normal of a crossing [L]: what stands before
     /// a flank of an edge says nothing of the edge.
-    fn gap_along(&self, point: usize, normal: Vector, before: &[PointState]) -> Option<f64> {
+    fn gap_along(
+        &self,
+        (point, gap): (usize, f64),
+        normal: Vector,
+        before: &[PointState],
+    ) -> Option<f64> {
         let now = before.get(point).filter(|now| now.opening.is_finite())?;
         let sign = if self.is_reversed(self.points[point].pair) { -1.0 } else { 1.0 };
-        (sign * dot(now.normal, normal) > ALONG).then_some(now.opening - now.allowed)
+        (sign * dot(now.normal, normal) > ALONG).then_some(gap)
     }
 
     /// Whether a point at the last commit was the same crossing: of the same lines.
@@ -57,6 +90,24 @@ impl Contact {
     ) -> bool {
         let stood = before.points.get(place).and_then(|point| point.footing);
         stood.is_some_and(|stood| own.lines(own.edges(stood.place.face)) == own.lines(found.edges))
+    }
+}
+
+/// Where a crossing stood.
+struct CrossingStood {
+    edges: [usize; 2],
+    at: [f64; 2],
+    /// [L]
+    gap: f64,
+    normal: Vector,
+}
+
+impl CrossingStood {
+    /// That of a state which faces anything, with the number of its edges, which it leaves open.
+    fn of(point: &PointState) -> Option<(usize, Self)> {
+        let own = point.footing.filter(|_| point.opening.is_finite() && point.along.is_some())?;
+        let FacePlace { face, at } = own.place;
+        Some((face, Self { edges: [0; 2], at, gap: point.raw_gap(), normal: point.normal }))
     }
 }
 

@@ -34,7 +34,7 @@ impl Contact {
         self.spread_nodes.push(nodes);
         self.edges.push(Vec::new());
         self.laws.push(self.laws[of].clone());
-        self.keeps.push(false);
+        self.keeps.push(pair.interaction.no_separation);
         self.offsets.push(pair.offset);
         self.spacing.push(self.spacing[of]);
         self.masters.push(MasterSurface::Nothing);
@@ -64,6 +64,7 @@ impl Contact {
             own.master.take(model);
             let (of, pair) = (own.of, first + place);
             self.laws[pair] = self.laws[of].clone();
+            self.keeps[pair] = self.keeps[of];
             self.spacing[pair] = self.spacing[of];
             self.offsets[pair] = self.offsets[of];
             let areas = self.areas_of_lines(place);
