@@ -57,3 +57,4 @@ mod through_parts;
 mod two_blocks;
 mod two_coefficients;
 mod valleys;
+mod whole_surfaces;

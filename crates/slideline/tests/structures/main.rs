@@ -19,6 +19,7 @@ mod heated_lines;
 mod initial_stress;
 mod joined_forces;
 mod kept_shapes;
+mod levers;
 mod lines;
 mod loads;
 mod loads_over_steps;

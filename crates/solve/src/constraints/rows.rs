@@ -64,13 +64,11 @@ impl ConstraintNumbering {
         }
     }
 
-    /// How large the shares of forces [1] and their levers [L] are by which dofs of a cloud that follow hand them
-    /// to others: so much of the rounding of a force arrives there.
+    /// How large the shares of forces [1] and their levers [L] are by which dofs that follow hand them to others: so
+    /// much of the rounding of a force arrives there.
     pub fn largest_shares(&self, rows: &Rows, is_rotation: impl Fn(usize) -> bool) -> (f64, f64) {
         let mut largest = (0.0_f64, 0.0_f64);
-        let of_means = self.linear.iter().filter(|own| matches!(own.kept, Kept::Mean(_)));
-        for own in of_means.filter(|own| !is_rotation(own.dependent)) {
-            let Role::Dependent(row) = self.roles[own.dependent] else { continue };
+        for &(_, row) in self.led.iter().filter(|(dof, _)| !is_rotation(*dof)) {
             for (from, share) in self.row(row, rows) {
                 let field = if is_rotation(from) { &mut largest.1 } else { &mut largest.0 };
                 *field = field.max(share.abs());
