@@ -167,6 +167,7 @@ catalogue! {
     "SL0382" "a contact pair on absent elements"
     "SL0383" "a load on absent elements"
     "SL0385" "an initial stress that the material does not bear"
+    "SL0386" "beams left out of general contact"
     "SL0391" "a contact pair that is a tie"
     "SL0392" "a clearance without its pair"
     "SL0393" "a part's contact with itself is left out"

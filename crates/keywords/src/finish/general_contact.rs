@@ -13,6 +13,7 @@ use std::collections::HashSet;
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::Formulation;
 
+use super::lines_left_out::note_lines;
 use super::loops::outlines;
 use super::meetings::{Meeting, Parted, Side, outside, part, sides};
 use super::own_contact::Alone;
@@ -36,6 +37,7 @@ const EXTENSION: f64 = 0.1;
 pub(super) fn pairings(draft: &mut Draft) {
     let Some(general) = draft.general.take() else { return };
     let skin = Skin::of(general.origin, draft);
+    note_lines(&general, &skin, draft);
     let mut alone = Alone::default();
     let mut meetings: Vec<Meeting> = Vec::new();
     for two in &general.inclusions {

@@ -31,6 +31,7 @@ mod inner_faces;
 mod interferences;
 mod laws_of_pairs;
 mod line_loads;
+mod lines_left_out;
 mod links;
 mod load_forces;
 mod lookup;
