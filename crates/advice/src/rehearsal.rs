@@ -20,6 +20,8 @@ use slideline_solve::observe::ContactRow;
 
 /// Increments of a step that are gone through at most.
 const MOST: usize = 400;
+/// Part of the length of a slave by which one node is deeper than another for more than rounding [1].
+const ALIKE: f64 = 1e-9;
 /// Gaps that are computed at most.
 const EFFORT: usize = 4_000_000;
 
@@ -190,6 +192,8 @@ fn moment_at(
     };
     let reach = -pair.interaction.normal.contact_begins();
     let mut moment = Moment { step: time.0, carrier: None, off: None, range: None };
+    // a slave that fits its master is as deep everywhere, but for rounding: the first one stands for all
+    let alike = ALIKE * places.iter().fold(0.0_f64, |most, place| most.max(place.abs()));
     let (mut deepest, mut sound) = (f64::NEG_INFINITY, false);
     let mut now = vec![false; slaves.len()];
     let mut off: Option<(f64, bool)> = None;
@@ -202,7 +206,7 @@ fn moment_at(
                 moment.range = Some((low.min(overclosure), high.max(overclosure)));
                 if overclosure > -reach {
                     now[k] = trusted;
-                    if overclosure > deepest {
+                    if overclosure > deepest + alike {
                         (deepest, sound) = (overclosure, trusted);
                         moment.carrier = Some(Carrier { node: slave, slave: places[k], along });
                     }

@@ -261,7 +261,7 @@ impl Contact {
 }
 
 /// How an edge stood in the other side at the last commit [L].
-pub(super) struct EdgeStand {
+pub(crate) struct EdgeStand {
     /// The gap that the pair showed there.
     pub mean: f64,
     /// The least of it and of that in the last iteration.

@@ -29,24 +29,19 @@ impl Contact {
         };
         let came = || {
             let gap = gap_before(own, found, before)?;
-            let (edges, at) = (found.edges, gap.at);
-            Some(CrossingStood { edges, at, gap: gap.gap, normal: gap.normal })
+            let place = FacePlace { face: own.number(found.edges), at: gap.at };
+            Some(CrossingStood { place, gap: gap.gap, normal: gap.normal })
         };
-        let stood = stood.map(|(face, stood)| CrossingStood { edges: own.edges(face), ..stood });
         let stand = stood.or_else(came).and_then(|stood| self.stand_of_edges(own, &stood, before));
         stand.map_or(0.0, |stand| self.allowance(&stand, own.of))
     }
 
     /// How a crossing of a state stands in the other side.
-    pub(in crate::contact) fn stand_of_crossing(
-        &self,
-        place: usize,
-        now: Before<'_>,
-    ) -> Option<EdgeStand> {
+    pub(crate) fn stand_of_crossing(&self, place: usize, now: Before<'_>) -> Option<EdgeStand> {
         let first = self.pair_count() - self.crossings.len();
         let own = self.crossings.get(self.points[place].pair.checked_sub(first)?)?;
-        let (face, stood) = CrossingStood::of(now.points.get(place)?)?;
-        self.stand_of_edges(own, &CrossingStood { edges: own.edges(face), ..stood }, now)
+        let stood = CrossingStood::of(now.points.get(place)?)?;
+        self.stand_of_edges(own, &stood, now)
     }
 
     fn stand_of_edges(
@@ -55,10 +50,11 @@ impl Contact {
         stood: &CrossingStood,
         before: Before<'_>,
     ) -> Option<EdgeStand> {
+        let FacePlace { face, at } = stood.place;
         let least = |gap: &dyn Fn(usize) -> f64| {
             let gap =
                 |point: usize| self.gap_along((point, gap(point)), stood.normal, before.points);
-            let means = own.sides().into_iter().zip(stood.edges).zip(stood.at);
+            let means = own.sides().into_iter().zip(own.edges(face)).zip(at);
             let means = means.filter_map(|((side, edge), share)| mean(side, (edge, share), gap));
             means.reduce(f64::min)
         };
@@ -95,19 +91,19 @@ impl Contact {
 
 /// Where a crossing stood.
 struct CrossingStood {
-    edges: [usize; 2],
-    at: [f64; 2],
+    /// The number of its edges, and the place on both.
+    place: FacePlace,
     /// [L]
     gap: f64,
     normal: Vector,
 }
 
 impl CrossingStood {
-    /// That of a state which faces anything, with the number of its edges, which it leaves open.
-    fn of(point: &PointState) -> Option<(usize, Self)> {
-        let own = point.footing.filter(|_| point.opening.is_finite() && point.along.is_some())?;
-        let FacePlace { face, at } = own.place;
-        Some((face, Self { edges: [0; 2], at, gap: point.raw_gap(), normal: point.normal }))
+    /// That of a state which faces anything.
+    fn of(point: &PointState) -> Option<Self> {
+        let footing = point.footing.filter(|_| point.opening.is_finite() && point.along.is_some());
+        let (place, gap) = (footing?.place, point.raw_gap());
+        Some(Self { place, gap, normal: point.normal })
     }
 }
 
