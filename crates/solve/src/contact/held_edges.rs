@@ -145,7 +145,7 @@ impl Contact {
 
     /// How an edge stood in the other side at the last commit; `None` where it, or every slave node about it, faces
     /// nothing, and of points that are no edges.
-    fn stand_of_edge(&self, place: usize, before: Before<'_>) -> Option<EdgeStand> {
+    pub(super) fn stand_of_edge(&self, place: usize, before: Before<'_>) -> Option<EdgeStand> {
         let edges = self.points[place].pair.checked_sub(self.own_pairs())?;
         let (own, then) = (self.edge_points.get(edges)?, before.points.get(place)?);
         // one that faced nothing has nothing to be held against
@@ -180,22 +180,6 @@ impl Contact {
             gap: then.raw_gap(),
             size: sizes / shares,
         })
-    }
-
-    /// Notes which edges of pairs that do not separate stand by themselves in a state.
-    pub fn note_alone(&self, state: &mut State) {
-        for place in self.places_of_edges() {
-            let point = &self.points[place];
-            if self.keeps[point.pair] && state.points[place].closed {
-                let now = Before::of(state);
-                let stand = match point.is_crossing {
-                    true => self.stand_of_crossing(place, now),
-                    false => self.stand_of_edge(place, now),
-                };
-                let alone = stand.is_none_or(|stand| stand.is_alone());
-                state.points[place].stands_alone = alone;
-            }
-        }
     }
 
     /// Whether an edge point that was not held is deeper in a face than a face is long: it has come to it
@@ -261,7 +245,7 @@ impl Contact {
 }
 
 /// How an edge stood in the other side at the last commit [L].
-pub(crate) struct EdgeStand {
+pub(super) struct EdgeStand {
     /// The gap that the pair showed there.
     pub mean: f64,
     /// The least of it and of that in the last iteration.

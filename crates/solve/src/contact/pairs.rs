@@ -317,6 +317,11 @@ impl Contact {
         &self.laws[self.law_of(pair, before)]
     }
 
+    /// Whether the pressure of a pair is a function of its overclosure.
+    pub(crate) fn is_soft(&self, pair: usize) -> bool {
+        self.laws[pair].normal.pressure(0.0).is_some()
+    }
+
     /// Whether a point stood in the pole of a surface of revolution with two coefficients of friction.
     fn is_in_pole(&self, pair: usize, before: &PointState) -> bool {
         match (&self.masters[pair], before.footing) {

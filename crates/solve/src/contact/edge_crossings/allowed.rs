@@ -7,7 +7,7 @@ use super::sides::{EdgeCrossings, EdgeSide};
 use crate::contact::before::Before;
 use crate::contact::held_edges::EdgeStand;
 use crate::contact::pairs::Contact;
-use crate::state::PointState;
+use crate::state::{PointState, State};
 use slideline_mech::contact::gap::edges::EdgeGap;
 use slideline_mech::contact::search::faces::FacePlace;
 use slideline_mech::vector::{Vector, dot};
@@ -37,11 +37,27 @@ impl Contact {
     }
 
     /// How a crossing of a state stands in the other side.
-    pub(crate) fn stand_of_crossing(&self, place: usize, now: Before<'_>) -> Option<EdgeStand> {
+    fn stand_of_crossing(&self, place: usize, now: Before<'_>) -> Option<EdgeStand> {
         let first = self.pair_count() - self.crossings.len();
         let own = self.crossings.get(self.points[place].pair.checked_sub(first)?)?;
         let stood = CrossingStood::of(now.points.get(place)?)?;
         self.stand_of_edges(own, &stood, now)
+    }
+
+    /// Notes which edges of pairs that do not separate stand by themselves in a state.
+    pub fn note_alone(&self, state: &mut State) {
+        for place in self.places_of_edges() {
+            let point = &self.points[place];
+            if self.keeps[point.pair] && state.points[place].closed {
+                let now = Before::of(state);
+                let stand = match point.is_crossing {
+                    true => self.stand_of_crossing(place, now),
+                    false => self.stand_of_edge(place, now),
+                };
+                let alone = stand.is_none_or(|stand| stand.is_alone());
+                state.points[place].stands_alone = alone;
+            }
+        }
     }
 
     fn stand_of_edges(

@@ -42,11 +42,6 @@ pub(super) struct At<'a> {
 }
 
 impl Contact {
-    /// Whether the pressure of a pair is a function of its overclosure.
-    pub(in crate::contact) fn is_soft(&self, pair: usize) -> bool {
-        self.laws[pair].normal.pressure(0.0).is_some()
-    }
-
     /// Whether nodes of a pair of which little is covered are let go: under a hard law that lets part.
     pub(in crate::contact) fn lets_go(&self, pair: usize) -> bool {
         !self.keeps[pair] && !self.is_soft(pair)
