@@ -8,6 +8,7 @@
 
 mod pair;
 
+use crate::quadratic;
 use pair::Pair;
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_measures::{NoiseSummary, ReactionNoise};
@@ -23,6 +24,8 @@ const ROUGH: f64 = 0.01;
 pub struct Noise {
     curves: Vec<Curve>,
     pairs: Vec<Pair>,
+    /// What is told of a pair that meets itself once it has: its place, SL0423.
+    of_own: Vec<(usize, Diagnostic)>,
     increments: usize,
 }
 
@@ -42,7 +45,9 @@ impl Noise {
     pub fn of(model: &Model) -> Self {
         let curves = model.driven().into_iter().map(|own| Curve::of(model, own)).collect();
         let pairs = model.contact_pairs.iter().map(Pair::new).collect();
-        Self { curves, pairs, ..Self::default() }
+        let own = model.contact_pairs.iter().enumerate().filter(|(_, pair)| pair.meets_itself());
+        let of_own = own.filter_map(|(place, pair)| Some((place, quadratic::say(pair)?))).collect();
+        Self { curves, pairs, of_own, ..Self::default() }
     }
 
     /// Takes in what a run that goes on from a saved state has told before:
@@ -93,6 +98,8 @@ impl Noise {
         for (pair, noise) in self.pairs.iter().zip(&summary.pairs) {
             said.extend(pair.findings(noise, self.increments));
         }
+        let of_own = self.of_own.iter().filter(|(place, _)| self.pairs[*place].touched);
+        said.extend(of_own.map(|(_, own)| own.clone()));
         said.extend(self.untouched());
         said
     }

@@ -13,12 +13,15 @@ use crate::start::Start;
 use slideline_diag::{Code, Diagnostic};
 use slideline_model::{ContactPair, Formulation, Master};
 
-/// SL0423: slaves of quadratic faces in space with `NODE TO SURFACE`.
+/// SL0423: slaves of quadratic faces in space with `NODE TO SURFACE`. What may meet itself does so
+/// seldom: it is told when it has.
 pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
-    findings.extend(start.model.contact_pairs.iter().filter_map(say));
+    let pairs = start.model.contact_pairs.iter().filter(|pair| !pair.meets_itself());
+    findings.extend(pairs.filter_map(say).map(Finding::said));
 }
 
-fn say(pair: &ContactPair) -> Option<Finding> {
+/// The same of one pair.
+pub fn say(pair: &ContactPair) -> Option<Diagnostic> {
     // an analytical surface in space meets nodes alone
     let swept = matches!(&pair.master, Master::Faces(faces) if faces.swept.is_some());
     if pair.formulation != Formulation::NodeToSurface || swept {
@@ -40,5 +43,5 @@ fn say(pair: &ContactPair) -> Option<Finding> {
         }
         false => "give *CONTACT PAIR, TYPE=SURFACE TO SURFACE",
     };
-    Some(Finding::said(said.help(help)))
+    Some(said.help(help))
 }

@@ -92,6 +92,8 @@ pub(crate) struct Draft {
     pub surface_thicknesses: Vec<SurfaceThickness>,
     /// `*CONTACT`.
     pub general: Option<GeneralContact>,
+    /// The card of the general contact whose pairs have been made.
+    pub general_made: Option<Span>,
     /// `*CONTACT INITIALIZATION DATA`.
     pub initializations: Vec<Initialization>,
     /// `*CLEARANCE`.

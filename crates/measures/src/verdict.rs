@@ -55,8 +55,10 @@ pub struct RunMeasures {
     pub utilisation: Option<f64>,
     /// Deepest penetration in c0 of a softened law [-].
     pub penetration: Option<f64>,
-    /// Codes of what was said: warnings, and advice that casts doubt.
+    /// Codes of the warnings.
     pub said: Vec<String>,
+    /// Codes of the advice that casts doubt.
+    pub advised: Vec<String>,
 }
 
 /// A colour with what it is owed to.
@@ -140,7 +142,7 @@ fn wrong(measures: &RunMeasures) -> [Rule; 6] {
 }
 
 /// What makes a result doubtful.
-fn doubtful(measures: &RunMeasures) -> [Rule; 7] {
+fn doubtful(measures: &RunMeasures) -> [Rule; 8] {
     let strain = above(measures.strain, STRAIN).filter(|_| measures.utilisation.is_none());
     [
         strain.map(|strain| {
@@ -171,7 +173,8 @@ fn doubtful(measures: &RunMeasures) -> [Rule; 7] {
         }),
         above(measures.penetration, PENETRATION)
             .map(|ratio| format!("overlap: the contact is pressed in by {ratio:.1} times c0")),
-        warned(&measures.said),
+        listed(&measures.said, ["warning", "warnings"]),
+        listed(&measures.advised, ["advice", "advice"]),
     ]
     .map(|reason| (Colour::Amber, reason))
 }
@@ -191,8 +194,8 @@ fn percent(value: f64) -> String {
     short.to_owned()
 }
 
-/// Codes in order, each once with how often.
-fn warned(said: &[String]) -> Option<String> {
+/// Codes in order, each once with how often, behind a noun for one and for more.
+fn listed(said: &[String], [one_said, more]: [&str; 2]) -> Option<String> {
     let mut codes: Vec<(&str, usize)> = Vec::new();
     for code in said {
         match codes.iter_mut().find(|(known, _)| known == code) {
@@ -205,7 +208,7 @@ fn warned(said: &[String]) -> Option<String> {
         many => format!("{code} ({many} times)"),
     };
     let list: Vec<String> = codes.iter().map(one).collect();
-    let noun = if said.len() == 1 { "warning" } else { "warnings" };
+    let noun = if said.len() == 1 { one_said } else { more };
     (!list.is_empty()).then(|| format!("{noun}: {}", list.join(", ")))
 }
 
@@ -226,6 +229,7 @@ mod tests {
             utilisation: Some(0.5),
             penetration: Some(0.9),
             said: Vec::new(),
+            advised: Vec::new(),
         }
     }
 
@@ -262,6 +266,11 @@ mod tests {
             (Colour::Amber, "increments: ", RunMeasures { peak_step: Some(0.2), ..clean() }),
             (Colour::Amber, "overlap: ", RunMeasures { penetration: Some(4.0), ..clean() }),
             (Colour::Amber, "warning: SL0402", said("SL0402")),
+            (
+                Colour::Amber,
+                "advice: SL0614",
+                RunMeasures { advised: vec!["SL0614".into()], ..clean() },
+            ),
         ];
         for (colour, reason, measures) in rows {
             let found = verdict(&measures);

@@ -84,7 +84,8 @@ fn measures(summary: &Value, energies: Option<&Energies>, first: Option<&Stroke>
         linear: summary.get("linear_motion").and_then(|own| own.number("max")),
         utilisation: summary.get("allowable").and_then(|used| used.number("utilisation")),
         penetration: largest("penetration_over_c0"),
-        said: said(summary),
+        said: codes(summary, "warnings", &[MEASURED]),
+        advised: codes(summary, "advice", &NO_DOUBT),
     }
 }
 
@@ -109,12 +110,10 @@ fn unfinished(summary: &Value) -> Option<String> {
     }
 }
 
-/// Codes of warnings, and of advice that casts doubt.
-fn said(summary: &Value) -> Vec<String> {
-    let codes = |key: &str| summary.list(key).iter().filter_map(|said| said.text("code"));
-    let warnings = codes("warnings").filter(|code| *code != MEASURED);
-    let advice = codes("advice").filter(|code| !NO_DOUBT.contains(code));
-    warnings.chain(advice).map(str::to_owned).collect()
+/// Codes of what the summary has under a key, without some.
+fn codes(summary: &Value, key: &str, without: &[&str]) -> Vec<String> {
+    let codes = summary.list(key).iter().filter_map(|said| said.text("code"));
+    codes.filter(|code| !without.contains(code)).map(str::to_owned).collect()
 }
 
 /// Largest `balance` beyond what is of rounding over the largest energy that there was.

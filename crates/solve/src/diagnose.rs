@@ -14,6 +14,7 @@ mod element;
 mod ends;
 mod insertable;
 mod law;
+mod left_behind;
 mod limit_load;
 mod other;
 mod passed;
@@ -33,13 +34,14 @@ pub fn failure(case: &Case<'_>) -> Diagnostic {
     if case.stop == StopReason::TooManyIncrements {
         return case.too_many_increments();
     }
-    let causes: [fn(&Case<'_>) -> Option<Diagnostic>; 15] = [
+    let causes: [fn(&Case<'_>) -> Option<Diagnostic>; 16] = [
         |case| case.too_coarse(),
         |case| case.passed_through(),
         |case| case.no_room(),
         |case| case.user_fault(),
         |case| case.failed_element(),
         |case| case.off_the_end(),
+        |case| case.left_behind(),
         |case| case.unheld(),
         |case| case.limit_load(),
         |case| case.overconstrained(),

@@ -160,8 +160,13 @@ fn automatic(plan: &Problem<'_>, place: usize, factor: f64) -> f64 {
     factor * stiffness * plan.step.procedure.period / area.max(f64::MIN_POSITIVE)
 }
 
-/// Whether contact that is open, and was so at the last commit, would oppose
-/// a motion if its points had dashpots; and no contact that was closed.
+/// Force of a point that touches without pressing, in forces of the stiffest element stretched by
+/// the size of the model: what rounding of its gap leaves, with a reserve [1].
+const TOUCH: f64 = 4096.0 * f64::EPSILON;
+
+/// Whether contact that was open at the last commit, or touched without pressing, would oppose a
+/// motion if its points had dashpots; and no contact that pressed. Friction holds nothing where
+/// nothing presses (7.1), yet will as soon as something does.
 pub fn would_hold(plan: &Problem<'_>, committed: &State, mode: &[f64]) -> bool {
     let u = &committed.displacement;
     let mut kinematics = plan.contact.nowhere();
@@ -173,12 +178,13 @@ pub fn would_hold(plan: &Problem<'_>, committed: &State, mode: &[f64]) -> bool {
     }
     plan.constraints.linearise((u, &committed.turns), &mut rows);
     plan.constraints.expand(&rows, &mut motion);
+    let touch = TOUCH * plan.structure.stiffest * plan.reach;
     let mut holds = false;
     for (place, before) in committed.points.iter().enumerate() {
         if !moves(&kinematics.at(place), &motion) {
             continue;
         }
-        if before.closed {
+        if before.closed && before.pressure.abs() * before.area > touch {
             return false;
         }
         holds = true;

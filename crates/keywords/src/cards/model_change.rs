@@ -110,7 +110,11 @@ fn pairs(card: &Reading<'_>, draft: &mut Draft) -> Changed {
     for line in card.data() {
         draft.log.at_most(line, 2);
         let slave = surface(line, 0, "the slave surface", &mut draft.log);
-        let master = surface(line, 1, "the master surface", &mut draft.log);
+        // one surface alone meets itself
+        let master = match line.field(1) {
+            Some(_) => surface(line, 1, "the master surface", &mut draft.log),
+            None => slave.clone(),
+        };
         all.extend(slave.zip(master).map(|(slave, master)| ([slave, master], line.span)));
     }
     Changed::Pairs(all)

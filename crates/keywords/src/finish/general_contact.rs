@@ -36,6 +36,7 @@ const EXTENSION: f64 = 0.1;
 /// Makes pairs of general contact.
 pub(super) fn pairings(draft: &mut Draft) {
     let Some(general) = draft.general.take() else { return };
+    draft.general_made = Some(general.origin);
     let skin = Skin::of(general.origin, draft);
     note_lines(&general, &skin, draft);
     let mut alone = Alone::default();

@@ -28,7 +28,7 @@ pub(super) fn slide_line(
 ) -> Option<SlideLine> {
     let mut whole = one_face_each(pairing, facets, draft)?;
     if let Err(broken @ Broken::Apart(_)) = Chain::find(&whole) {
-        let said = of_no_chain(pairing, surface, broken, draft);
+        let said = of_no_chain(pairing, (surface, &whole), broken, draft);
         join(&mut whole, &said, draft);
     }
     let middles: Vec<_> = whole.iter().filter_map(|facet| facet.middle).collect();
@@ -42,7 +42,7 @@ pub(super) fn slide_line(
     let mut chain = match found {
         Ok(chain) => chain,
         Err(broken) => {
-            not_a_chain(pairing, surface, broken, draft);
+            not_a_chain(pairing, (surface, &whole), broken, draft);
             return None;
         }
     };
@@ -203,31 +203,44 @@ fn join(facets: &mut [Facet], said: &Diagnostic, draft: &mut Draft) {
 /// More ends of pieces than this are not compared with one another.
 const MOST_ENDS: usize = 1000;
 
-fn not_a_chain(pairing: &Pairing, surface: &NamedSurface, broken: Broken, draft: &mut Draft) {
-    let said = of_no_chain(pairing, surface, broken, draft);
+fn not_a_chain(
+    pairing: &Pairing,
+    (surface, facets): (&NamedSurface, &[Facet]),
+    broken: Broken,
+    draft: &mut Draft,
+) {
+    let said = of_no_chain(pairing, (surface, facets), broken, draft);
     draft.consequence(Subject::Elements, said);
 }
 
 fn of_no_chain(
     pairing: &Pairing,
-    surface: &NamedSurface,
+    (surface, facets): (&NamedSurface, &[Facet]),
     broken: Broken,
     draft: &Draft,
 ) -> Diagnostic {
     let label = |node| draft.model.nodes.label(node);
     let name = &pairing.master.name;
+    let of_solids = facets.iter().all(|facet| facet.face.is_some());
+    let (one, many) = if of_solids { ("face", "faces") } else { ("beam", "beams") };
     let (message, help) = match broken {
         Broken::Branch(node) => (
-            format!("three or more beams of {name} meet at node {}", label(node)),
+            format!("three or more {many} of {name} meet at node {}", label(node)),
             "define a surface and a pair for each branch",
         ),
         Broken::Loop(node) => (
-            format!("the beams of {name} form a closed ring at node {}", label(node)),
-            "a master has two open ends: leave out a beam that nothing slides on",
+            format!("the {many} of {name} form a closed ring at node {}", label(node)),
+            "a master has two open ends: leave out an element that nothing slides on",
         ),
         Broken::Apart(node) => (
-            format!("node {} of {name} is not connected to its first beam", label(node)),
-            "define a surface and a pair for each piece",
+            format!("node {} of {name} is not connected to its first {one}", label(node)),
+            match of_solids {
+                true => {
+                    "define a surface and a pair for each piece, and leave out faces between two \
+                     elements, on which nothing can slide"
+                }
+                false => "define a surface and a pair for each piece",
+            },
         ),
     };
     let error = Diagnostic::error(Code("SL0329"), message).at(pairing.master.span);

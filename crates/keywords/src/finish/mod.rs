@@ -80,6 +80,7 @@ mod tributary;
 mod turned_means;
 mod unit_systems;
 mod unknown;
+mod unmoved;
 
 use slideline_model::Model;
 pub(crate) use unknown::unknown_set;

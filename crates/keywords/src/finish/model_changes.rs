@@ -12,6 +12,7 @@ use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{ContactPair, ElementIndex, Load, NodeIndex, Presence};
 
 use super::bodies::Bodies;
+use super::unmoved::unmoved_nodes;
 use crate::changes::{Act, Changed, ModelChange};
 use crate::draft::{Draft, ElementKind, StepDraft};
 use crate::log::Target;
@@ -25,6 +26,8 @@ pub(super) struct Absent {
     elements: BTreeMap<usize, Span>,
     /// Contact pairs by their place in the model.
     pairs: BTreeMap<usize, Span>,
+    /// Pairs of general contact, one side of which is of absent elements.
+    general: BTreeSet<usize>,
     /// The card that changed the model last.
     origin: Option<Span>,
     /// Where elements stand in the model, when it is first asked for.
@@ -57,9 +60,9 @@ impl Absent {
             self.origin = Some(card.origin);
             self.follow(card, &mut now, draft);
         }
-        let presence = self.presence(&now, draft);
+        let mut presence = self.presence(&now, draft);
         if !step.changes.is_empty() {
-            self.without_ground(&presence, draft);
+            self.without_ground(&mut presence, draft);
         }
         presence
     }
@@ -128,32 +131,64 @@ impl Absent {
         let mut begun: Vec<ElementIndex> = now.begun.iter().filter_map(index).collect();
         absent.sort_unstable();
         begun.sort_unstable();
-        let absent_pairs = self.pairs.keys().copied().collect();
+        let pairs: BTreeSet<usize> = self.pairs.keys().chain(&self.general).copied().collect();
+        let absent_pairs = pairs.into_iter().collect();
         Presence { absent, begun, absent_pairs, origin: self.origin }
     }
 
-    /// SL0382: contact of nodes whose elements are all absent.
-    fn without_ground(&self, presence: &Presence, draft: &mut Draft) {
-        let Some(origin) = self.origin.filter(|_| !self.elements.is_empty()) else { return };
-        let mut bare = bare_nodes(presence, draft);
-        bare.extend(self.bare_bodies(draft));
+    /// Pairs of general contact leave and come with the elements of either side. SL0382: other
+    /// contact of nodes whose elements are all absent.
+    fn without_ground(&mut self, presence: &mut Presence, draft: &mut Draft) {
+        self.general.clear();
+        let mut bare = HashSet::new();
+        if !self.elements.is_empty() {
+            bare = bare_nodes(presence, draft);
+            bare.extend(self.bare_bodies(draft));
+        }
         let pairs: Vec<ContactPair> = draft.model.contact_pairs.clone();
-        for (place, pair) in pairs.iter().enumerate().filter(|(own, _)| presence.has_pair(*own)) {
-            let mut nodes = pair.slave_places().chain(pair.master.deforming_nodes());
-            let Some(node) = nodes.find(|node| bare.contains(node)) else { continue };
-            let node = draft.model.nodes.label(node);
-            let message = format!(
-                "the contact pair {} acts on node {node}, all of whose elements are absent",
-                pair.name
-            );
-            let error = Diagnostic::error(Code("SL0382"), message).at(origin);
-            let error = error.label(pair.origin, "the pair").help(
-                "remove the pair as well: *MODEL CHANGE, TYPE=CONTACT PAIR, REMOVE; where only a \
-                 part of a surface is removed, make it a surface and a pair of its own",
-            );
-            if draft.log.first_time(&format!("bare pair {place} {}", origin.start)) {
-                draft.consequence(Subject::Contact, error);
+        for (place, pair) in pairs.iter().enumerate() {
+            let is_general = draft.general_made == Some(pair.origin);
+            if is_general && has_lost_a_side(pair, &bare) {
+                self.general.insert(place);
+            } else if !self.pairs.contains_key(&place) {
+                self.judge_ground((place, pair), &bare, draft);
             }
+        }
+        let absent: BTreeSet<usize> = self.pairs.keys().chain(&self.general).copied().collect();
+        presence.absent_pairs = absent.into_iter().collect();
+    }
+
+    /// SL0382, once a card.
+    fn judge_ground(
+        &self,
+        (place, pair): (usize, &ContactPair),
+        bare: &HashSet<NodeIndex>,
+        draft: &mut Draft,
+    ) {
+        let mut nodes = pair.slave_places().chain(pair.master.deforming_nodes());
+        let Some(node) = nodes.find(|node| bare.contains(node)) else { return };
+        let Some(origin) = self.origin else { return };
+        let node = draft.model.nodes.label(node);
+        let message = format!(
+            "the contact pair {} acts on node {node}, all of whose elements are absent",
+            pair.name
+        );
+        let help = match draft.general_made == Some(pair.origin) {
+            true => {
+                "general contact leaves with the elements of a whole part or of all that it has of a \
+                 part: keep what leaves out of it by *CONTACT EXCLUSIONS, give that a *CONTACT PAIR \
+                 of its own with what it meets, and remove this pair too: *MODEL CHANGE, \
+                 TYPE=CONTACT PAIR, REMOVE"
+            }
+            false => {
+                "remove the pair as well: *MODEL CHANGE, TYPE=CONTACT PAIR, REMOVE; where only a \
+                 part of a surface is removed, make it a surface and a pair of its own"
+            }
+        };
+        let error = Diagnostic::error(Code("SL0382"), message).at(origin);
+        let error = error.label(pair.origin, "the pair").help(help);
+        if draft.log.first_time(&format!("bare pair {place} {}", origin.start)) {
+            draft.consequence(Subject::Contact, error);
         }
     }
 
@@ -180,11 +215,11 @@ impl Absent {
         if presence.absent.is_empty() || loads.is_empty() {
             return;
         }
-        let bare = bare_nodes(presence, draft);
+        let bare = unmoved_nodes(presence, &draft.model);
         for load in loads.iter().filter(|own| own.value != 0.0 && bare.contains(&own.node)) {
             let node = draft.model.nodes.label(load.node);
             let message = format!(
-                "the load on node {node} moves nothing: all elements of the node are absent"
+                "the load on node {node} moves nothing: all elements that it could move are absent"
             );
             let said = Diagnostic::warning(Code("SL0383"), message).at(load.origin);
             let said = match self.origin {
@@ -277,7 +312,10 @@ fn pairs_of(labels: Vec<u64>, span: Span, draft: &mut Draft) -> Vec<usize> {
 fn pair_of([slave, master]: &[Named; 2], span: Span, draft: &mut Draft) -> Option<usize> {
     let pairs = &draft.model.contact_pairs;
     let place = |slave: &str, master: &str| {
-        pairs.iter().position(|pair| pair.name == format!("{slave}/{master}"))
+        // a surface that meets itself has its name alone
+        let meets_itself = slave == master;
+        let name = if meets_itself { slave.to_owned() } else { format!("{slave}/{master}") };
+        pairs.iter().position(|pair| pair.name == name)
     };
     let found = place(&slave.name, &master.name);
     if found.is_some() {
@@ -307,6 +345,14 @@ fn places(draft: &Draft) -> HashMap<u64, ElementIndex> {
         elements.map(move |(member, element)| (element.label, (block, member)))
     });
     all.collect()
+}
+
+/// Whether all nodes of the slave or of the master are those of absent elements.
+fn has_lost_a_side(pair: &ContactPair, bare: &HashSet<NodeIndex>) -> bool {
+    let mut slaves = pair.slave_places().peekable();
+    let masters = pair.master.deforming_nodes();
+    let slave = slaves.peek().is_some() && slaves.all(|node| bare.contains(&node));
+    slave || !masters.is_empty() && masters.iter().all(|node| bare.contains(node))
 }
 
 /// Nodes of absent elements that no element has that is there, and no rigid body.

@@ -13,6 +13,7 @@ mod covered_ends;
 mod crossing_edges;
 mod crosspoints;
 mod decaying_friction;
+mod exact_touch;
 mod field;
 mod flush_blocks;
 mod friction_of_revolution;

@@ -182,3 +182,33 @@ fn a_fit_that_a_step_adds_balances() {
     let said = outcome.diagnostics.iter().find(|said| said.code.0 == "SL0604");
     assert!(said.is_none(), "{said:?}");
 }
+
+/// Requirement: pairs of general contact leave with the elements of either side, whose force ramps
+/// off, and come back with them; a surface that meets itself can be named alone. Blocks pressed by d
+/// hold N = E A d/2. Tolerance: rounding.
+#[test]
+fn general_contact_leaves_with_its_elements() {
+    for in_space in [false, true] {
+        let up = if in_space { 3 } else { 2 };
+        let change = |what: &str| format!("{STEP}*MODEL CHANGE, {what}\n2\n*END STEP\n");
+        let deck = format!(
+            "{}*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n{STEP}*BOUNDARY\nLOW, 1, {up}\n\
+             HIGH, 1, {up}\nHIGH, {up}, {up}, -0.01\n*END STEP\n",
+            mesh(in_space, 0.0)
+        ) + &change("REMOVE")
+            + &change("ADD=WITH STRAIN");
+        let read = Job::read_text("general", &deck, &ReadOptions::default());
+        let model = read.model.unwrap_or_else(|| panic!("{:#?}", read.diagnostics));
+        let absent = |step: usize| model.steps[step].presence.absent_pairs.len();
+        let of_lower = usize::from(model.contact_pairs.iter().any(|own| own.name == "LOWER"));
+        assert!(
+            absent(0) == 0 && absent(1) > of_lower && absent(2) == 0,
+            "{:?}",
+            [0, 1, 2].map(absent)
+        );
+        let along: Vec<f64> = solved(&deck).force.iter().map(|force| force[up - 1].abs()).collect();
+        for (increment, wanted) in [(1, 5.0), (2, 0.0), (3, 0.0), (5, 5.0)] {
+            assert!((along[increment] - wanted).abs() < 1e-9, "{in_space}, {increment}: {along:?}");
+        }
+    }
+}

@@ -25,6 +25,7 @@ mod loads;
 mod loads_over_steps;
 mod middle_nodes;
 mod model_change;
+mod model_change_of_joined;
 mod moments_of_turned_nodes;
 mod overpulled_beams;
 mod partial_couplings;

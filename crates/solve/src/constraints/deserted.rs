@@ -4,6 +4,8 @@
 //!   o====o====o----o----o        ==== there   ---- absent
 //!             |    x    x        x: held where they stand
 //!             '-- the elements that are there move it
+//!
+//!   o====o====o::::o----x        :::: follows what is there: it is moved, and hands its forces on
 //! ```
 
 use crate::dofs::DofMap;
@@ -18,12 +20,14 @@ struct Uses<'a> {
     absent: Vec<bool>,
 }
 
-/// The dofs that only absent elements and contact pairs use, ascending. What uses a dependent dof
-/// uses those that it follows: `followed` has them, the rows behind those that they follow.
+/// The dofs that only absent elements and contact pairs use, and that follow nothing that is there,
+/// ascending. What uses a dependent dof uses those that it follows: `followed` has them, the rows
+/// behind those that they follow. In return these move it, and feel the forces on it:
+/// docs/theory.md section 9.1.
 pub(super) fn deserted<'a>(
     (model, step): (&Model, &Step),
     dofs: &DofMap,
-    followed: impl DoubleEndedIterator<Item = (usize, &'a [usize])>,
+    followed: impl DoubleEndedIterator<Item = (usize, &'a [usize])> + Clone,
 ) -> Vec<usize> {
     if step.presence.is_whole() {
         return Vec::new();
@@ -32,11 +36,14 @@ pub(super) fn deserted<'a>(
     let mut uses = Uses { dofs, there: unused(), absent: unused() };
     uses.by_elements(model, step);
     uses.by_contact(model, step);
-    for (dependent, leaders) in followed.rev() {
+    for (dependent, leaders) in followed.clone().rev() {
         for &leader in leaders {
             uses.there[leader] |= uses.there[dependent];
             uses.absent[leader] |= uses.absent[dependent];
         }
+    }
+    for (dependent, leaders) in followed {
+        uses.there[dependent] |= leaders.iter().any(|&leader| uses.there[leader]);
     }
     let alone = |&dof: &usize| uses.absent[dof] && !uses.there[dof];
     (0..dofs.len()).filter(alone).collect()

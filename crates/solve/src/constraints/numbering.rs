@@ -28,7 +28,8 @@ pub struct ConstraintNumbering {
     pub roles: Vec<Role>,
     /// Dof of every equation.
     pub dof_of_equation: Vec<usize>,
-    /// Dofs that only absent elements and contact pairs use, ascending.
+    /// Dofs that only absent elements and contact pairs use, and that follow nothing that is there,
+    /// ascending.
     pub deserted: Vec<usize>,
     pub(super) rigid: Vec<RigidLink>,
     pub(super) linear: Vec<LinearConstraint>,

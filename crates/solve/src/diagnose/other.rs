@@ -29,11 +29,14 @@ impl Case<'_> {
             place.unwrap_or_default()
         );
         let said = Diagnostic::error(Code("SL0501"), message).at(self.plan.step.origin);
-        let vocabulary = self.plan.model.vocabulary();
+        let model = self.plan.model;
+        let contact = match model.contact_pairs.is_empty() {
+            true => String::new(),
+            false => format!(", or soften the contact with {}", model.vocabulary().softened()),
+        };
         said.help(format!(
             "the results up to that time are kept; let *STATIC start with a shorter increment \
-             and allow smaller ones, or soften the contact with {}",
-            vocabulary.softened()
+             and allow smaller ones{contact}"
         ))
     }
 

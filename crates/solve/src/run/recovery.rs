@@ -51,8 +51,8 @@ impl Analysis<'_> {
         }
         self.committed.stabilised = true;
         let message = format!(
-            "the body of node {} is supported only by contact that is still open: contact is \
-             stabilised from total time {:.6} on, by tractions that fade to zero at the end of \
+            "the body of node {} is supported only by contact that is open or presses nothing yet: \
+             contact is stabilised from total time {:.6} on, by tractions that fade to zero at the end of \
              the step",
             plan.model.nodes.name(node),
             self.committed.total_time
