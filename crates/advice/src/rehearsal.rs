@@ -20,7 +20,7 @@ use slideline_solve::observe::ContactRow;
 
 /// Increments of a step that are gone through at most.
 const MOST: usize = 400;
-/// Part of the length of a slave by which one node is deeper than another for more than rounding [1].
+/// Part of the size of a slave by which one node is deeper than another for more than rounding [1].
 const ALIKE: f64 = 1e-9;
 /// Gaps that are computed at most.
 const EFFORT: usize = 4_000_000;
@@ -61,6 +61,10 @@ fn rehearsed(start: &Start<'_>, pair: &ContactPair) -> Option<Rehearsal> {
     };
     let most = (EFFORT / (slaves.len() * pieces * start.model.steps.len()).max(1)).min(MOST);
     let places = arc_places(start, pair, &slaves);
+    // a slave that fits its master is as deep everywhere, but for rounding: the first one stands for all
+    let at = |node: &NodeIndex| start.model.nodes.position(*node);
+    let far = |node: &NodeIndex| length(less(at(node), at(&slaves[0])));
+    let alike = ALIKE * slaves.iter().map(far).fold(0.0, f64::max);
     let mut rehearsal = Rehearsal::default();
     let mut carried: Vec<bool> = vec![false; slaves.len()];
     for (number, step) in start.model.steps.iter().enumerate() {
@@ -68,8 +72,13 @@ fn rehearsed(start: &Start<'_>, pair: &ContactPair) -> Option<Rehearsal> {
         let before = usize::from(number > 0);
         for k in before..=count {
             let time = (number, k as f64 / count as f64);
-            let moment =
-                moment_at(start, pair, (&master_surface, &slaves, &places), time, &mut carried)?;
+            let moment = moment_at(
+                start,
+                pair,
+                (&master_surface, &slaves, &places, alike),
+                time,
+                &mut carried,
+            )?;
             rehearsal.moments.push(moment);
         }
     }
@@ -161,7 +170,7 @@ fn arc_places(start: &Start<'_>, pair: &ContactPair, slaves: &[NodeIndex]) -> Ve
 fn moment_at(
     start: &Start<'_>,
     pair: &ContactPair,
-    (master_surface, slaves, places): (&MasterSurface, &[NodeIndex], &[f64]),
+    (master_surface, slaves, places, alike): (&MasterSurface, &[NodeIndex], &[f64], f64),
     time: (usize, f64),
     carried: &mut [bool],
 ) -> Option<Moment> {
@@ -192,8 +201,6 @@ fn moment_at(
     };
     let reach = -pair.interaction.normal.contact_begins();
     let mut moment = Moment { step: time.0, carrier: None, off: None, range: None };
-    // a slave that fits its master is as deep everywhere, but for rounding: the first one stands for all
-    let alike = ALIKE * places.iter().fold(0.0_f64, |most, place| most.max(place.abs()));
     let (mut deepest, mut sound) = (f64::NEG_INFINITY, false);
     let mut now = vec![false; slaves.len()];
     let mut off: Option<(f64, bool)> = None;
@@ -204,7 +211,7 @@ fn moment_at(
                 let overclosure = overclosure + pair.offset.both();
                 let (low, high) = moment.range.unwrap_or((overclosure, overclosure));
                 moment.range = Some((low.min(overclosure), high.max(overclosure)));
-                if overclosure > -reach {
+                if overclosure > -reach - alike {
                     now[k] = trusted;
                     if overclosure > deepest + alike {
                         (deepest, sound) = (overclosure, trusted);

@@ -60,7 +60,7 @@ mod unseen;
 mod values;
 mod within;
 
-pub use before::{Before, Stood};
+pub use before::Before;
 pub use candidates::{Candidates, NearContact, Reached, coupled_parts};
 pub use cliques::Cliques;
 pub use crossing::{Missed, Sweep, SweepScratch};

@@ -9,7 +9,7 @@
 mod encounter;
 
 use crate::constraints::Rows;
-use crate::contact::{Before, ContactKinematics, Look, MasterPositions, Stood};
+use crate::contact::{Before, ContactKinematics, Look, MasterPositions};
 use crate::moments::turn_moments;
 use crate::observe::results::Status;
 use crate::problem::Problem;
@@ -37,8 +37,9 @@ pub struct Trial<'a> {
     pub pressures: &'a [f64],
     /// Traction of every contact point likewise [F/L2].
     pub tractions: &'a [Tangential],
-    /// How every contact point stood in the last iteration; empty: as at the last commit.
-    pub standing: &'a [Stood],
+    /// Face of its master on which every contact point stood in the last iteration, which holds it;
+    /// empty: that of the last commit does.
+    pub standing: &'a [Option<usize>],
     /// Multipliers about which laws are inserted, a contact point each; empty: they are not.
     pub held: &'a [HeldMultiplier],
     /// Dashpots of the increment, where contact is stabilised.

@@ -85,11 +85,6 @@ impl IterationHistory {
         self.iterations = 0;
     }
 
-    /// Iterations of the attempt so far.
-    pub fn iterations(&self) -> u32 {
-        self.iterations
-    }
-
     /// Begins an attempt at its first guess.
     pub fn begin(&mut self, guess: &[PointState]) {
         self.iterations = 0;

@@ -155,7 +155,7 @@ pub struct OverpulledBeams {
     /// That of the committed state.
     pub now: Option<Overpulled>,
     /// The worst of the step, and where in the run.
-    pub worst: Option<(Overpulled, Moment)>,
+    worst: Option<(Overpulled, Moment)>,
     /// Whether it was said in the run that bending is doubtful, and that it is wrong.
     told: [bool; 2],
 }

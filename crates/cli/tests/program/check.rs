@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used)] // a test may fail where it stands
 
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -223,7 +224,6 @@ fn remedies_speak_the_words_of_their_deck() {
 /// A strip whose middle block of ten is drawn along the world's x, or along its y by axes of its own: `turned` by 90
 /// degrees, the first one.
 fn drawn(turned: bool) -> String {
-    use std::fmt::Write as _;
     let mut deck = String::from("*NODE\n");
     for (base, wide, low) in [(0, 10.0, -1.0), (100, 2.0, 0.0)] {
         for i in 0..=10 {
@@ -276,4 +276,48 @@ fn advice_on_motions_along_own_axes() {
     let (own, models) = (advice(true), advice(false));
     assert!(models.iter().any(|line| line.contains("SL0405")), "{models:?}");
     assert_eq!(own, models);
+}
+
+/// A half turn of a band of beams round a drum that turns, with ends along its tangents.
+fn band(unit: f64) -> String {
+    let (count, radius) = (40, 10.0);
+    let angle = |k: i32| std::f64::consts::PI * f64::from(k) / f64::from(count);
+    let round = (0..=count).map(|k| [radius * angle(k).cos(), radius * angle(k).sin()]);
+    let ends = [2.0, 1.0].map(|y| [radius, -y]).into_iter().chain(round);
+    let mut deck = String::from("*NODE\n");
+    for (k, [x, y]) in ends.chain([1.0, 2.0].map(|y| [-radius, -y])).enumerate() {
+        writeln!(deck, "{}, {:?}, {:?}", k + 1, unit * x, unit * y).unwrap();
+    }
+    let (last, r) = (count + 5, unit * radius);
+    write!(
+        deck,
+        "9000, 0., 0.\n*ELEMENT, TYPE=B21, ELSET=B\n1, 1, 2\n*ELGEN, ELSET=B\n1, {}, 1, 1\n*BEAM SECTION, SECTION=RECT, \
+         ELSET=B, MATERIAL=M\n{:?}, {:?}\n*MATERIAL, NAME=M\n*ELASTIC\n{:?}, 0.3\n*SURFACE, NAME=DR, TYPE=SEGMENTS\n\
+         START, 0., {:?}\nCIRCL, {:?}, 0., 0., 0.\nCIRCL, 0., {r:?}, 0., 0.\nCIRCL, {r:?}, 0., 0., 0.\nCIRCL, 0., {:?}, \
+         0., 0.\n*RIGID BODY, REF NODE=9000, ANALYTICAL SURFACE=DR\n*SURFACE, NAME=SB\nB,\n*SURFACE INTERACTION, \
+         NAME=I\n*FRICTION\n0.3\n*CONTACT PAIR, INTERACTION=I, TYPE=NODE TO SURFACE\nSB, DR\n*BOUNDARY\n9000, 1, 2\n\
+         {last}, 1, 6\n*STEP, NLGEOM\n*STATIC\n0.05, 1.\n*BOUNDARY\n9000, 6, 6, -0.5\n*CLOAD\n1, 2, -1.\n*END STEP\n",
+        last - 1,
+        unit,
+        0.1 * unit,
+        200_000.0 / (unit * unit),
+        -r,
+        -r,
+        -r
+    )
+    .unwrap();
+    deck
+}
+
+/// Requirement: a slave that fits its master touches it everywhere, and rounding names no place where it does: nothing
+/// is said of the way of that place, whatever the unit is. It went to and fro by a third of the band.
+#[test]
+fn a_slave_that_fits_its_master_goes_nowhere_by_rounding() {
+    let folder = folder("check_band");
+    for unit in [1.0, 1e-3, 25.4, 1e3] {
+        std::fs::write(folder.join("job.inp"), band(unit)).unwrap();
+        let output = slideline(&folder, &["check", "job"]);
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert!(output.status.success() && !said.contains("SL0405"), "{unit}: {said}");
+    }
 }

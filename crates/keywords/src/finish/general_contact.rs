@@ -38,7 +38,7 @@ pub(super) fn pairings(draft: &mut Draft) {
     let Some(general) = draft.general.take() else { return };
     draft.general_made = Some(general.origin);
     let skin = Skin::of(general.origin, draft);
-    note_lines(&general, &skin, draft);
+    note_lines(&general, draft);
     let mut alone = Alone::default();
     let mut meetings: Vec<Meeting> = Vec::new();
     for two in &general.inclusions {

@@ -9,30 +9,25 @@ use std::collections::HashSet;
 
 use slideline_diag::{Code, Diagnostic};
 
-use super::meetings::both;
-use super::skin::Skin;
-use crate::draft::{Draft, Element, ElementKind};
+use crate::draft::{Draft, ElementKind};
 use crate::surfaces::{Extent, GeneralContact};
 
-/// Says which beams and trusses the inclusions take in that are left out: all that do not lie in solids, or those of a
-/// surface of lines.
-pub(super) fn note_lines(general: &GeneralContact, skin: &Skin, draft: &mut Draft) {
-    let named = named_lines(general, skin, draft);
-    let message = match named.first() {
+/// Says which beams and trusses the inclusions take in that are left out: those of a surface that they name, or all
+/// that do not lie in solids.
+pub(super) fn note_lines(general: &GeneralContact, draft: &mut Draft) {
+    let message = match named_lines(general, draft) {
         Some(name) => {
             format!("surface {name} of beams or trusses is left out of this general contact")
         }
         None => {
             let takes_all = general.inclusions.iter().any(|two| two.first.is_none());
-            let free = free_lines(draft);
-            let Some(first) = free.first().filter(|_| takes_all) else { return };
-            let label = draft.elements[*first].label;
-            match free.len() {
+            let Some((count, first)) = free_lines(draft).filter(|_| takes_all) else { return };
+            match count {
                 1 => format!(
-                    "element {label}, a beam or a truss, is left out of this general contact"
+                    "element {first}, a beam or a truss, is left out of this general contact"
                 ),
-                count => format!(
-                    "{count} beams and trusses are left out of this general contact, the first one is element {label}"
+                _ => format!(
+                    "{count} beams and trusses are left out of this general contact, the first one is element {first}"
                 ),
             }
         }
@@ -44,34 +39,36 @@ pub(super) fn note_lines(general: &GeneralContact, skin: &Skin, draft: &mut Draf
     draft.log.push(warning);
 }
 
-/// Names of surfaces of the inclusions that have no faces of solids and no analytical surface.
-fn named_lines(general: &GeneralContact, skin: &Skin, draft: &mut Draft) -> Vec<String> {
-    let mut found = Vec::new();
-    for two in &general.inclusions {
-        let Some(sides) = both(two, skin, draft) else { continue };
-        let names = [two.first.as_ref(), two.second.as_ref().or(two.first.as_ref())];
-        for (named, own) in names.into_iter().zip(sides) {
-            let Some(named) = named.filter(|_| own.is_empty()) else { continue };
-            let is_of_nodes = draft.named_surfaces.iter().any(|surface| {
-                surface.named.name == named.name && matches!(surface.extent, Extent::Nodes(_))
-            });
-            if !is_of_nodes && !found.contains(&named.name) {
-                found.push(named.name.clone());
-            }
-        }
-    }
-    found
+/// The first surface of the inclusions that has beams or trusses.
+fn named_lines(general: &GeneralContact, draft: &mut Draft) -> Option<String> {
+    let sides = general.inclusions.iter().flat_map(|two| [&two.first, &two.second]);
+    let names: Vec<String> = sides.flatten().map(|named| named.name.clone()).collect();
+    names.into_iter().find(|name| {
+        let same = draft.named_surfaces.iter().find(|surface| surface.named.name == *name);
+        let Some(Extent::Elements(stretches)) = same.map(|own| own.extent.clone()) else {
+            return false;
+        };
+        stretches.iter().any(|stretch| {
+            let found = draft.elements_at(&stretch.elements, stretch.span);
+            found.into_iter().any(|element| is_line(draft.elements[element].kind))
+        })
+    })
 }
 
-/// Elements that are beams or trusses and do not lie in solids.
-fn free_lines(draft: &Draft) -> Vec<usize> {
-    let of_solids = |element: &&Element| matches!(element.kind, ElementKind::Structural(row) if !row.cell.faces.is_empty());
-    let inside: HashSet<u64> =
-        draft.elements.iter().filter(of_solids).flat_map(|own| own.nodes.iter().copied()).collect();
-    let is_line = |kind: ElementKind| matches!(kind, ElementKind::Structural(row) if row.is_beam() || row.is_space_beam() || row.is_truss());
-    let all = draft.elements.iter().enumerate();
-    let free = all.filter(|(_, own)| is_line(own.kind));
-    free.filter(|(_, own)| own.nodes.iter().any(|node| !inside.contains(node)))
-        .map(|(place, _)| place)
-        .collect()
+/// How many beams and trusses there are that do not lie in solids, and the label of the first one; `None`: none.
+fn free_lines(draft: &Draft) -> Option<(usize, u64)> {
+    let elements = || draft.elements.iter();
+    let solids = elements().filter(|own| has_faces(own.kind));
+    let inside: HashSet<u64> = solids.flat_map(|own| own.nodes.iter().copied()).collect();
+    let lies_inside = |nodes: &[u64]| nodes.iter().all(|node| inside.contains(node));
+    let free = || elements().filter(|own| is_line(own.kind) && !lies_inside(&own.nodes));
+    Some((free().count(), free().next()?.label))
+}
+
+fn has_faces(kind: ElementKind) -> bool {
+    matches!(kind, ElementKind::Structural(row) if !row.cell.faces.is_empty())
+}
+
+fn is_line(kind: ElementKind) -> bool {
+    matches!(kind, ElementKind::Structural(row) if row.is_beam() || row.is_space_beam() || row.is_truss())
 }

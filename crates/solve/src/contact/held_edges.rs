@@ -10,7 +10,6 @@
 //!
 //! docs/theory.md section 5.17
 
-use super::before::Before;
 use super::edge_points::{EdgePoints, SlaveNode};
 use super::master::MasterSurface;
 use super::pairs::{Carrier, Contact};
@@ -127,58 +126,45 @@ impl Contact {
         }
     }
 
-    /// How deep an edge may stand in a face unheld: as deep as the mean is, and further the flatter it lay upon the
-    /// face at the last commit [L]. docs/theory.md eq. (5.49)
-    pub(super) fn edge_allowance(&self, place: usize, before: Before<'_>) -> f64 {
+    /// How deep an edge may stand in a face in the next increment, by how it and the pair stood at the last commit [L].
+    /// docs/theory.md eq. (5.49)
+    pub(super) fn edge_allowance(&self, place: usize, before: &[PointState]) -> f64 {
         let stand = self.stand_of_edge(place, before);
         stand.map_or(0.0, |stand| self.allowance(&stand, self.points[place].pair))
     }
 
-    /// How deep an edge of a pair may stand unheld [L]: of a soft law beyond where its pressure begins, by the mean of
-    /// now. docs/theory.md eq. (5.49)
+    /// What an edge of a pair may do unheld [L]. Under a soft law its pair goes on sinking in within the increment: an
+    /// edge that was open and lay flat is left to it. docs/theory.md eq. (5.49)
     pub(super) fn allowance(&self, stand: &EdgeStand, pair: usize) -> f64 {
         match self.is_soft(pair) {
-            true => stand.allowance(stand.mean_now + self.laws[pair].normal.contact_begins()),
-            false => stand.allowance(stand.mean),
+            true => stand.allowance_beside(self.laws[pair].normal.contact_begins()),
+            false => stand.allowance(0.0),
         }
     }
 
-    /// How an edge stood in the other side at the last commit; `None` where it, or every slave node about it, faces
-    /// nothing, and of points that are no edges.
-    pub(super) fn stand_of_edge(&self, place: usize, before: Before<'_>) -> Option<EdgeStand> {
+    /// How an edge stands in the other side in a state; `None` where it, or every slave node about it, faces nothing,
+    /// and of points that are no edges. docs/theory.md eq. (5.48)
+    pub(super) fn stand_of_edge(&self, place: usize, points: &[PointState]) -> Option<EdgeStand> {
         let edges = self.points[place].pair.checked_sub(self.own_pairs())?;
-        let (own, then) = (self.edge_points.get(edges)?, before.points.get(place)?);
+        let (own, now) = (self.edge_points.get(edges)?, points.get(place)?);
         // one that faced nothing has nothing to be held against
-        then.along.filter(|_| then.opening.is_finite())?;
-        self.mean_about(place, (own, then), before)
-    }
-
-    /// How an edge stands beside the gap that its pair shows there. docs/theory.md eq. (5.48)
-    fn mean_about(
-        &self,
-        place: usize,
-        (own, then): (&EdgePoints, &PointState),
-        before: Before<'_>,
-    ) -> Option<EdgeStand> {
-        let mut sums = [0.0; 4];
-        for (seat, share) in self.about(place, then).into_iter().filter(|(_, share)| *share > 0.0) {
+        now.along.filter(|_| now.opening.is_finite())?;
+        let mut sums = [0.0; 3];
+        for (seat, share) in self.about(place, now).into_iter().filter(|(_, share)| *share > 0.0) {
             let Some(slave) = own.slaves.get(seat) else { continue };
-            let least = |gap: &dyn Fn(usize) -> f64| {
-                slave.points.iter().map(|&point| gap(point)).fold(f64::INFINITY, f64::min)
-            };
-            let gap = least(&|point| before.points[point].raw_gap());
-            let now = least(&|point| before.least_gap(point));
+            let raw = |&point: &usize| points[point].raw_gap();
+            let gap = slave.points.iter().map(raw).fold(f64::INFINITY, f64::min);
             if gap.is_finite() {
-                let own = [1.0, gap, now, slave.size];
-                sums.iter_mut().zip(own).for_each(|(sum, own)| *sum += share * own);
+                let [shares, gaps, sizes] = sums;
+                sums = [shares + share, gaps + share * gap, sizes + share * slave.size];
             }
         }
-        let [shares, gaps, now, sizes] = sums;
+        let [shares, gaps, sizes] = sums;
         (shares > 0.0 && sizes > 0.0).then(|| EdgeStand {
             mean: gaps / shares,
-            mean_now: now / shares,
-            gap: then.raw_gap(),
+            gap: now.raw_gap(),
             size: sizes / shares,
+            is_held: now.closed,
         })
     }
 
@@ -238,30 +224,41 @@ impl Contact {
         let work = |(then, now): (&PointState, &PointState)| {
             let mean = 0.5 * (then.area * then.pressure + now.area * now.pressure);
             let is_held = mean != 0.0 && now.along.is_some();
-            if is_held { mean * (then.allowed - now.allowed) } else { 0.0 }
+            // what was open is pushed out from where it stood
+            let from = match then.closed {
+                true => then.allowed,
+                false => then.allowed.min(-then.raw_gap()).max(now.allowed),
+            };
+            if is_held { mean * (from - now.allowed) } else { 0.0 }
         };
         then.iter().zip(now).map(work).sum()
     }
 }
 
-/// How an edge stood in the other side at the last commit [L].
+/// How an edge stands in the other side [L].
 pub(super) struct EdgeStand {
-    /// The gap that the pair showed there.
+    /// The gap that the pair shows there.
     pub mean: f64,
-    /// The least of it and of that in the last iteration.
-    pub mean_now: f64,
     /// The gap of the edge.
     pub gap: f64,
     /// Size of the faces there.
     pub size: f64,
+    /// Whether it is held.
+    pub is_held: bool,
 }
 
 impl EdgeStand {
-    /// How deep it may stand unheld beside a mean gap [L]. docs/theory.md eq. (5.49)
-    fn allowance(&self, mean: f64) -> f64 {
+    /// How deep it may stand unheld beside a pair whose pressure begins at an overclosure [L].
+    fn allowance(&self, begins: f64) -> f64 {
         let free = FREE * self.size;
         let beyond = 0.5 * (self.mean - self.gap) / free;
-        (-mean).max(0.0) + free * (1.0 - smooth_step(beyond))
+        (-self.mean - begins).max(0.0) + free * (1.0 - smooth_step(beyond))
+    }
+
+    /// The same of a pair whose law is soft: an edge that it holds may go with it as far as a face is long.
+    fn allowance_beside(&self, begins: f64) -> f64 {
+        let goes_along = !self.is_held && !self.is_alone();
+        self.allowance(begins) + if goes_along { self.size } else { 0.0 }
     }
 
     /// Whether it stands deeper than the pair shows, so that the pair does not hold it.

@@ -123,7 +123,7 @@ impl Contact {
     /// The overclosure that is allowed at a point of a node, by the step and by what an edge may do
     /// unheld [L].
     pub(super) fn allowed_of_node(&self, place: usize, before: Before<'_>) -> f64 {
-        self.allowed_at(place) + self.edge_allowance(place, before)
+        self.allowed_at(place) + self.edge_allowance(place, before.points)
     }
 
     /// The overclosure that is allowed at a point [L].

@@ -168,11 +168,6 @@ impl PointKinematics {
         face.or_else(|| self.segment())
     }
 
-    /// Its gap before anything is allowed; infinite where it faces nothing [L].
-    pub fn raw_gap(&self) -> f64 {
-        if self.faces { -self.overclosure - self.allowed } else { f64::INFINITY }
-    }
-
     /// The segment of a line of master nodes or of a rigid surface on which it stands.
     pub fn segment(&self) -> Option<usize> {
         self.facing.filter(|_| self.faces)?.segment()

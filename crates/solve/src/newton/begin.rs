@@ -1,7 +1,6 @@
 //! The first guess of an attempt.
 
 use super::scratch::{Scratch, solver};
-use crate::contact::Stood;
 use crate::evaluate::{Evaluation, look_at};
 use crate::predict;
 use crate::problem::Problem;
@@ -55,7 +54,7 @@ impl Scratch {
             self.pressures[place] = point.pressure;
             self.tractions[place] = point.traction;
             self.pressed[place] = point.closed.then_some(point.area * point.pressure);
-            self.standing[place] = Stood::of(point);
+            self.standing[place] = point.stands_on();
         }
         self.hold_multipliers(plan);
         if committed.increment_time.0 == 0.0 {

@@ -2,7 +2,6 @@
 
 use super::multipliers::context;
 use super::scratch::{Scratch, solver};
-use crate::contact::Stood;
 use crate::evaluate::Evaluation;
 use crate::linearised::Stiffness;
 use crate::problem::Problem;
@@ -19,9 +18,6 @@ const MOST_DENSE: usize = 1000;
 const FAR: f64 = 1e2;
 /// Rounds in which an iteration takes in points that it had left alone, before it takes in all.
 const WAKINGS: usize = 3;
-/// Iterations in which edges follow the mean of their pair before what they may do unheld is left as it is: following
-/// has no part in the tangent.
-const FOLLOWED: u32 = 4;
 
 impl Scratch {
     /// The correction that the factored tangent and contact, solved exactly,
@@ -186,14 +182,11 @@ impl Scratch {
         self.secants.were_followed
     }
 
-    /// Lets the faces on which points stand hold them in this iteration; what edges may do unheld follows the gaps of
-    /// their pairs in the first ones. docs/theory.md section 5.17
+    /// Lets the faces on which points stand hold them in this iteration.
     fn stand(&mut self) {
         let points = self.evaluation.kinematics.points();
-        let follows = self.iteration_history.iterations() <= FOLLOWED;
         for (standing, point) in self.standing.iter_mut().zip(points) {
-            let gap = if follows { point.raw_gap() } else { standing.gap };
-            *standing = Stood { face: point.stands_on(), gap };
+            *standing = point.stands_on();
         }
     }
 

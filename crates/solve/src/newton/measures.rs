@@ -154,7 +154,8 @@ impl Scratch {
         // forces that balance round as they act over the length of an element: a beam that heat presses
         // between two clamps moves nothing and has no moment, and rounds all the same
         let length = plan.structure.stiffest_length;
-        // and what follows the mean of many nodes hands on more than one share of a force
+        // and dofs that follow hand on more than one share of a force, or a moment about where they are joined, which
+        // may be far from any element
         let is_rotation = |dof: usize| plan.dofs.is_rotation(dof);
         let (share, lever) = plan.constraints.largest_shares(&self.evaluation.rows, is_rotation);
         let moments = elastic.max(seen(0)) * length.max(lever) + contact * reach;

@@ -2,7 +2,6 @@
 
 use super::recall::recall_points;
 use super::scratch::{Scratch, solver};
-use crate::contact::Stood;
 use crate::evaluate::{evaluate_forces, follow_laws};
 use crate::problem::Problem;
 use crate::stabilise;
@@ -190,7 +189,7 @@ impl Scratch {
         self.take_estimates(now);
         self.evaluation.look.forget();
         self.standing.clear();
-        self.standing.extend(now.points.iter().map(Stood::of));
+        self.standing.extend(now.points.iter().map(PointState::stands_on));
         self.evaluate_there(plan, committed, target);
     }
 

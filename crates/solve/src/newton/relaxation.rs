@@ -1,6 +1,5 @@
 //! What holds a state back on its way downhill.
 
-use crate::contact::Stood;
 use slideline_mech::contact::tangential::Tangential;
 
 /// Below this stiffness it holds nothing [1].
@@ -16,7 +15,7 @@ pub(super) struct Estimates {
     pub(super) pressures: Vec<f64>,
     pub(super) tractions: Vec<Tangential>,
     pub(super) stresses: Vec<f64>,
-    pub(super) standing: Vec<Stood>,
+    pub(super) standing: Vec<Option<usize>>,
 }
 
 /// What holds a state back on its way.

@@ -4,8 +4,7 @@ use super::outcome::Outcome;
 use super::relaxation::Relaxation;
 use super::secants::Secants;
 use crate::contact::{
-    Candidates, Contact, ContactKinematics, GeometryScratch, MasterPositions, Reached, Stood,
-    SweepScratch,
+    Candidates, Contact, ContactKinematics, GeometryScratch, MasterPositions, Reached, SweepScratch,
 };
 use crate::evaluate::{Evaluation, zero};
 use crate::iteration_history::IterationHistory;
@@ -102,7 +101,7 @@ pub struct Scratch {
     pub(super) pressures: Vec<f64>,
     pub(super) tractions: Vec<Tangential>,
     /// Face of its master on which every contact point stood where the iteration began.
-    pub(super) standing: Vec<Stood>,
+    pub(super) standing: Vec<Option<usize>>,
     /// Multipliers about which laws are inserted, a contact point each; none where they are not.
     pub(super) held: HeldMultipliers,
     /// How often they were moved in this attempt.
@@ -263,7 +262,7 @@ impl Scratch {
         self.tractions.clear();
         self.tractions.resize(points, Tangential::ZERO);
         self.standing.clear();
-        self.standing.resize(points, Stood::NOWHERE);
+        self.standing.resize(points, None);
         self.held.fit(points);
         zero(&mut self.correction, equations);
         self.points.clear(plan.contact.directions);

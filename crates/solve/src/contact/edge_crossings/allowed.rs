@@ -30,18 +30,19 @@ impl Contact {
         let came = || {
             let gap = gap_before(own, found, before)?;
             let place = FacePlace { face: own.number(found.edges), at: gap.at };
-            Some(CrossingStood { place, gap: gap.gap, normal: gap.normal })
+            Some(CrossingStood { place, gap: gap.gap, normal: gap.normal, is_held: false })
         };
-        let stand = stood.or_else(came).and_then(|stood| self.stand_of_edges(own, &stood, before));
+        let stand =
+            stood.or_else(came).and_then(|stood| self.stand_of_edges(own, &stood, before.points));
         stand.map_or(0.0, |stand| self.allowance(&stand, own.of))
     }
 
     /// How a crossing of a state stands in the other side.
-    fn stand_of_crossing(&self, place: usize, now: Before<'_>) -> Option<EdgeStand> {
+    fn stand_of_crossing(&self, place: usize, points: &[PointState]) -> Option<EdgeStand> {
         let first = self.pair_count() - self.crossings.len();
         let own = self.crossings.get(self.points[place].pair.checked_sub(first)?)?;
-        let stood = CrossingStood::of(now.points.get(place)?)?;
-        self.stand_of_edges(own, &stood, now)
+        let stood = CrossingStood::of(points.get(place)?)?;
+        self.stand_of_edges(own, &stood, points)
     }
 
     /// Notes which edges of pairs that do not separate stand by themselves in a state.
@@ -49,10 +50,9 @@ impl Contact {
         for place in self.places_of_edges() {
             let point = &self.points[place];
             if self.keeps[point.pair] && state.points[place].closed {
-                let now = Before::of(state);
                 let stand = match point.is_crossing {
-                    true => self.stand_of_crossing(place, now),
-                    false => self.stand_of_edge(place, now),
+                    true => self.stand_of_crossing(place, &state.points),
+                    false => self.stand_of_edge(place, &state.points),
                 };
                 let alone = stand.is_none_or(|stand| stand.is_alone());
                 state.points[place].stands_alone = alone;
@@ -64,32 +64,22 @@ impl Contact {
         &self,
         own: &EdgeCrossings,
         stood: &CrossingStood,
-        before: Before<'_>,
+        points: &[PointState],
     ) -> Option<EdgeStand> {
         let FacePlace { face, at } = stood.place;
-        let least = |gap: &dyn Fn(usize) -> f64| {
-            let gap =
-                |point: usize| self.gap_along((point, gap(point)), stood.normal, before.points);
-            let means = own.sides().into_iter().zip(own.edges(face)).zip(at);
-            let means = means.filter_map(|((side, edge), share)| mean(side, (edge, share), gap));
-            means.reduce(f64::min)
-        };
-        let mean = least(&|point| before.points[point].raw_gap())?;
-        let mean_now = least(&|point| before.least_gap(point)).unwrap_or(mean);
-        Some(EdgeStand { mean, mean_now, gap: stood.gap, size: self.spacing[own.of] })
+        let raw = |point: usize| self.gap_along(point, stood.normal, points);
+        let means = own.sides().into_iter().zip(own.edges(face)).zip(at);
+        let means = means.filter_map(|((side, edge), share)| mean(side, (edge, share), raw));
+        let (mean, size) = (means.reduce(f64::min)?, self.spacing[own.of]);
+        Some(EdgeStand { mean, gap: stood.gap, size, is_held: stood.is_held })
     }
 
     /// The gap of a point that faces the other side within 45 degrees of the normal of a crossing [L]: what stands before
     /// a flank of an edge says nothing of the edge.
-    fn gap_along(
-        &self,
-        (point, gap): (usize, f64),
-        normal: Vector,
-        before: &[PointState],
-    ) -> Option<f64> {
-        let now = before.get(point).filter(|now| now.opening.is_finite())?;
+    fn gap_along(&self, point: usize, normal: Vector, points: &[PointState]) -> Option<f64> {
+        let now = points.get(point).filter(|now| now.opening.is_finite())?;
         let sign = if self.is_reversed(self.points[point].pair) { -1.0 } else { 1.0 };
-        (sign * dot(now.normal, normal) > ALONG).then_some(gap)
+        (sign * dot(now.normal, normal) > ALONG).then_some(now.raw_gap())
     }
 
     /// Whether a point at the last commit was the same crossing: of the same lines.
@@ -112,6 +102,7 @@ struct CrossingStood {
     /// [L]
     gap: f64,
     normal: Vector,
+    is_held: bool,
 }
 
 impl CrossingStood {
@@ -119,7 +110,7 @@ impl CrossingStood {
     fn of(point: &PointState) -> Option<Self> {
         let footing = point.footing.filter(|_| point.opening.is_finite() && point.along.is_some());
         let (place, gap) = (footing?.place, point.raw_gap());
-        Some(Self { place, gap, normal: point.normal })
+        Some(Self { place, gap, normal: point.normal, is_held: point.closed })
     }
 }
 
