@@ -14,6 +14,7 @@
 //! docs/theory.md section 3.5. Small displacements are the same with F = 1 and without the stress
 //! in the tangent. Generic in the dimension `D`, the nodes `N` and the points `P`.
 
+mod bending;
 mod centre;
 mod enhancement;
 mod evaluate;
@@ -33,6 +34,7 @@ mod response;
 mod results;
 mod solids;
 mod told;
+mod turned;
 
 pub use place::{Reference, smallest_jacobian, worst_node};
 pub use recipe::{Formulation, Interpolation, Kinematics, Recipe, states};

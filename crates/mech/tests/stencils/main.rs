@@ -4,6 +4,7 @@ mod beams;
 mod contact;
 mod derivatives;
 mod heated;
+mod hourglass;
 mod lines;
 mod mixed;
 mod offset;

@@ -57,7 +57,7 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         }
         let mut held = 0.0;
         if self.recipe.formulation.is_one_point() {
-            held = self.hold_modes(element, q, (force, tangent));
+            held = self.hold_modes(element, (q, under), (force, tangent));
         }
         Ok(energy(&points) + held)
     }
