@@ -55,6 +55,7 @@ mod strip_reference;
 mod supported_slaves;
 mod thickness;
 mod through_parts;
+mod through_valleys;
 mod two_blocks;
 mod two_coefficients;
 mod valleys;

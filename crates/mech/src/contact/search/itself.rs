@@ -294,7 +294,41 @@ impl Itself {
             return false;
         }
         let height = cross(tangent, sub(point, foot));
-        height >= 0.0 || self.has_sunk_in(seat, (part, found.distance))
+        let sunk_in = |segment: usize, depth: f64| self.has_sunk_in(seat, (segment, depth));
+        let own = height >= 0.0 || sunk_in(part, found.distance);
+        own && self.joined_there(found).is_none_or(|other| match found.piece.kind {
+            PieceKind::Straight => {
+                let edge = along(positions, other);
+                let height = cross(edge, sub(point, flat(positions[other]))) / size(edge);
+                height >= 0.0 || sunk_in(other, -height)
+            }
+            _ => height >= 0.0 || sunk_in(other, found.distance),
+        })
+    }
+
+    /// The other segment that a piece belongs to: of a corner the first one, of a straight part that is met beyond its end
+    /// the one that joins it there. Behind a valley a node in line with one face is inside by the other alone.
+    fn joined_there(&self, found: &Candidate) -> Option<usize> {
+        let part = found.piece.index;
+        let other = match found.piece.kind {
+            PieceKind::Straight if found.outside == 0.0 => None,
+            PieceKind::Straight if found.piece.parameter > 0.5 => Some(part + 1),
+            _ => part.checked_sub(1),
+        };
+        match self.parts.get(other?)? {
+            Part::Gap => None,
+            Part::Own => other,
+            Part::Repeated => self.repeats(other?),
+        }
+    }
+
+    /// The face that is repeated at a place beside the seam of a closed run.
+    fn repeats(&self, part: usize) -> Option<usize> {
+        self.spans.iter().find_map(|span| match part {
+            _ if part + 1 == span.first => Some(span.last),
+            _ if part == span.last + 1 => Some(span.first),
+            _ => None,
+        })
     }
 
     /// Whether the node at a seat that is so deep behind a segment [L] has sunk in there: not from inside their own part;

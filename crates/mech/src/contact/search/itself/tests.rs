@@ -1,5 +1,5 @@
 use super::super::chain::raised;
-use super::{Chain, ChainTree, Itself, Placed, Run, listed};
+use super::{Chain, ChainTree, Itself, Placed, Run, at_piece, flat, listed};
 
 type Plane = [f64; 2];
 
@@ -211,4 +211,99 @@ fn the_sides_of_a_bent_strip_do_not_meet_its_ends() {
             assert_eq!(strip.met(&bent, node), None, "{curvature} {node}");
         }
     }
+}
+
+/// A part of columns side by side on one base, each of its own height, with nodes on all borders of columns, and on the
+/// walls every `rise` at random: L, T, steps, combs, thin webs. Clockwise from the left below.
+fn columns(heights: &[f64], width: f64, rise: f64, noise: &mut impl FnMut() -> f64) -> Vec<Plane> {
+    let mut outline = vec![[0.0, 0.0]];
+    let mut level = 0.0;
+    for (k, height) in heights.iter().chain([&0.0]).enumerate() {
+        let count = ((height - level) / rise).abs().round() as usize;
+        let split = noise() > 0.5;
+        for step in (1..count).filter(|_| split) {
+            let part = step as f64 / count as f64;
+            outline.push([k as f64 * width, level + part * (height - level)]);
+        }
+        if count > 0 {
+            outline.push([k as f64 * width, *height]);
+        }
+        if k < heights.len() {
+            outline.push([(k + 1) as f64 * width, *height]);
+        }
+        level = *height;
+    }
+    outline.extend((1..heights.len()).rev().map(|k| [k as f64 * width, 0.0]));
+    outline
+}
+
+/// Whether a place is within an outline and away from it. By the count of crossings.
+fn is_within(outline: &[Plane], [x, y]: Plane) -> bool {
+    let edges = || outline.iter().zip(outline.iter().cycle().skip(1));
+    let away = |(a, b): (&Plane, &Plane)| {
+        let (edge, way) = ([b[0] - a[0], b[1] - a[1]], [x - a[0], y - a[1]]);
+        let along = (edge[0] * way[0] + edge[1] * way[1]) / (edge[0].powi(2) + edge[1].powi(2));
+        let along = along.clamp(0.0, 1.0);
+        (way[0] - along * edge[0]).hypot(way[1] - along * edge[1]) > 1e-3
+    };
+    let crosses = |(a, b): &(&Plane, &Plane)| {
+        (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
+    };
+    edges().all(away) && edges().filter(crosses).count() % 2 == 1
+}
+
+/// Requirement: no node of a part has sunk in anywhere, nor comes near a face in whose line it stands through the part,
+/// undeformed and a little bent, wherever its nodes stand below its valleys. Source: the parts touch nowhere; the count of
+/// crossings of the outline, half way from the node to what it meets.
+#[test]
+fn nothing_is_met_through_the_part() {
+    let mut seed = 1_u64;
+    let mut noise = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 40) as f64 / (1_u64 << 24) as f64
+    };
+    let mut met = 0;
+    for case in 0..400 {
+        let heights: Vec<f64> =
+            (0..2 + case % 9).map(|_| 0.3 * (1.0 + (4.0 * noise()).floor())).collect();
+        let width = 0.1 + 0.4 * noise();
+        let mut outline = columns(&heights, width, 0.3, &mut noise);
+        outline.rotate_left(case % 3);
+        let smoothing = [0.0, 0.2, 0.45][case % 3];
+        let part = Surface::smoothed(&[(&outline, true)], smoothing);
+        let (bend, slant) = (0.06 * (noise() - 0.5), 0.06 * (noise() - 0.5));
+        let bent =
+            outline.iter().map(|[x, y]| [x + slant * y, y + slant * x + bend * x * x]).collect();
+        for nodes in [outline, bent] {
+            met += met_in_sight(&part, &nodes, case);
+        }
+    }
+    assert!(met > 500, "{met}");
+}
+
+/// How many nodes meet something; none through the part.
+fn met_in_sight(part: &Surface, nodes: &[Plane], case: usize) -> usize {
+    let at: Vec<_> = part.list.iter().map(|&k| raised(nodes[k])).collect();
+    let tree = part.own.tree(&part.chain, &at);
+    let placed = Placed { chain: &part.chain, positions: &at, tree: &tree };
+    let found = (0..nodes.len()).filter_map(|k| Some((k, part.own.met(placed, part.own.seat(k))?)));
+    let found = found.inspect(|(node, piece)| {
+        let (foot, along) = at_piece(&part.chain, &at, piece).unwrap();
+        let foot = match piece.kind {
+            super::PieceKind::Straight => {
+                let s = piece.parameter.clamp(0.0, 1.0);
+                let a = flat(at[piece.index]);
+                [a[0] + s * along[0], a[1] + s * along[1]]
+            }
+            _ => foot,
+        };
+        let [x, y] = nodes[*node];
+        let middle = [0.5 * (foot[0] + x), 0.5 * (foot[1] + y)];
+        let way = [x - foot[0], y - foot[1]];
+        let gap = (along[0] * way[1] - along[1] * way[0]) / along[0].hypot(along[1]);
+        let is_near = gap < 0.3 * way[0].hypot(way[1]);
+        assert!(gap >= 0.0, "{case}: node {node} overlaps {piece:?} by {gap}: {nodes:?}");
+        assert!(!is_near || !is_within(nodes, middle), "{case}: {node} {piece:?} {nodes:?}");
+    });
+    found.count()
 }
