@@ -7,7 +7,7 @@
 //! ```
 
 use crate::start::{Start, less};
-use slideline_model::{ContactPair, Master, Model, NodeIndex};
+use slideline_model::{ContactPair, Formulation, Master, Model, NodeIndex};
 use slideline_solve::observe::ContactRow;
 use std::collections::{HashMap, HashSet};
 
@@ -18,20 +18,38 @@ const ACROSS: f64 = 0.1;
 
 /// How many points touch or overlap a master that was drawn, whose outside looks the same way as their own faces;
 /// `None` where those are not the most of all that do.
-pub fn look_alike(start: &Start<'_>, place: usize, pair: &ContactPair) -> Option<usize> {
+pub fn look_alike(start: &Start<'_>, place: usize, pair: &ContactPair) -> Option<[usize; 2]> {
     let is_of_faces = pair.of_solids || !pair.faces.is_empty();
     if !is_of_faces || !is_drawn(start.model, pair) {
         return None;
     }
     let normals = outward(start.model, pair);
-    let touching = || start.facing(place).filter(|row| row.opening < TOUCH * start.reach);
-    let looks_alike = |row: &&ContactRow| {
+    let of_nodes = at_nodes(start, place, pair);
+    let facing: Vec<&ContactRow> = match &of_nodes {
+        Some(rows) => rows.iter().filter(|row| row.opening.is_finite()).collect(),
+        None => start.facing(place).collect(),
+    };
+    let touching = || facing.iter().filter(|row| row.opening < TOUCH * start.reach);
+    let looks_alike = |row: &&&ContactRow| {
         let along = |own: &[f64; 3]| (0..3).map(|k| own[k] * row.normal[k]).sum::<f64>();
         let size = |own: &[f64; 3]| own.iter().map(|part| part * part).sum::<f64>().sqrt();
         normals.get(&row.node).is_some_and(|own| along(own) > ACROSS * size(own))
     };
     let alike = touching().filter(looks_alike).count();
-    (alike > 0 && 2 * alike > touching().count()).then_some(alike)
+    (alike > 0 && 2 * alike > touching().count()).then_some([alike, facing.len()])
+}
+
+/// What the nodes of a pair over faces see of its master, where no face does: faces that look the same way as their
+/// master do not meet it, and their gaps tell nothing.
+fn at_nodes(start: &Start<'_>, place: usize, pair: &ContactPair) -> Option<Vec<ContactRow>> {
+    if pair.formulation != Formulation::Mortar || start.facing(place).next().is_some() {
+        return None;
+    }
+    let mut twin = start.model.clone();
+    twin.contact_pairs.get_mut(place)?.formulation = Formulation::NodeToSurface;
+    let mut rows = slideline_solve::initial_contact(&twin);
+    rows.retain(|row| row.pair == place);
+    Some(rows)
 }
 
 /// Whether the outside of a master is as its points, or the side of its rigid elements or beams, say, and not that of

@@ -30,7 +30,7 @@ pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
             findings.push(say(start, pair, &stand(behind)));
         } else if opens(start, place, pair) {
             findings.push(say(start, pair, &stand(facing)));
-        } else if let Some(alike) = look_alike(start, place, pair) {
+        } else if let Some([alike, facing]) = look_alike(start, place, pair) {
             let seen = format!(
                 "{alike} of {facing} slave points touch or overlap it at the start and belong to faces that \
                  look the same way as its outside"

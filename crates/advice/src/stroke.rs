@@ -114,8 +114,26 @@ fn estimated(start: &Start<'_>, place: usize, pair: &ContactPair, findings: &mut
             findings.extend(loses_friction(start, pair, wander, share));
         }
         if let Master::SlideLine(line) = &pair.master {
-            findings.extend(too_short(start, (place, pair), line, along));
+            let mut said = too_short(start, (place, pair), line, along);
+            if let Some(said) = &mut said
+                && [Some(&nearest.node), line.nodes.first()]
+                    .into_iter()
+                    .flatten()
+                    .any(goes_along(start, step))
+            {
+                said.diagnostic.severity = Severity::Advice;
+            }
+            findings.extend(said);
         }
+    }
+}
+
+/// Whether no support holds the body of a node in a step: a roller goes along with what it touches, by how much is not
+/// known before.
+fn goes_along<'a>(start: &'a Start<'_>, step: &'a Step) -> impl Fn(&NodeIndex) -> bool + 'a {
+    move |&node| {
+        let body = start.bodies.of_node(node);
+        !step.prescribed.iter().any(|own| start.bodies.of_node(own.node) == body)
     }
 }
 

@@ -12,8 +12,8 @@ const DEEP: f64 = 3.0;
 /// Depth beyond the mean over a slave face above which a face does not see what lies in it, in sizes of
 /// the face [1]: edges and corners make 0.1 and more, round parts on coarse meshes up to 0.085 (measured).
 const UNSEEN: f64 = 0.1;
-/// The same beside the corner of an analytical surface, which has no node that holds it, while the pair is open [1]: a
-/// fifth, as straight sides show nothing then, and round parts with a corner elsewhere up to l/5R at a radius R.
+/// The same while the pair is open, beside the corner of an analytical surface, which has no node that holds it, or where
+/// the pair never closes [1]: a fifth, as straight sides show nothing then, and round parts with a corner elsewhere up to l/5R at a radius R.
 const UNSEEN_AND_OPEN: f64 = 0.02;
 /// Forces of one pair that are left over, relative to their magnitudes [1]:
 /// thousands of times what rounding leaves.
@@ -57,7 +57,7 @@ pub(super) struct Pair {
     unseen: (f64, u64, usize),
     /// Whether its master has a sharp corner that stands out and that no node holds.
     has_corner: bool,
-    /// The same depth of increments in which the pair is open, where there is such a corner.
+    /// The same depth of increments in which the pair is open.
     unseen_and_open: (f64, u64, usize),
     /// Where it carries most.
     largest: Largest,
@@ -119,7 +119,7 @@ impl Pair {
         let unseen =
             (row.unseen_depth, row.unseen.map_or(0, |node| model.nodes.label(node)), increment);
         self.unseen = deeper(self.unseen, unseen);
-        if self.has_corner && row.closed == 0 {
+        if row.closed == 0 {
             self.unseen_and_open = deeper(self.unseen_and_open, unseen);
         }
         let force = row.force.iter().map(|own| own * own).sum::<f64>().sqrt();
@@ -200,24 +200,26 @@ impl Pair {
     }
 
     /// SL0615: an edge or a corner in the other side, which the mean over faces does not show.
-    fn unseen(&self) -> Option<Diagnostic> {
+    pub fn unseen(&self) -> Option<Diagnostic> {
         let ((depth, node, increment), held) = if self.unseen.0 > UNSEEN {
             (self.unseen, "contact forces there are too small")
-        } else if self.unseen_and_open.0 > UNSEEN_AND_OPEN {
+        } else if self.unseen_and_open.0 > UNSEEN_AND_OPEN && self.has_corner {
             (self.unseen_and_open, "the pair is open")
+        } else if self.unseen_and_open.0 > UNSEEN_AND_OPEN && !self.touched {
+            (self.unseen_and_open, "the pair never closes, and no force acts")
         } else {
             return None;
         };
         let message = format!(
-            "an edge or a corner goes through {}: in increment {increment} the slave face of node {node} and \
+            "an edge, a corner or a round goes through {}: in increment {increment} the slave face of node {node} and \
              the master stand in one another by {depth:.2} of the size of the face, and the mean gap over \
              the face does not show it; {held}",
             self.name
         );
         Some(Diagnostic::warning(Code("SL0615"), message).at(self.origin).help(
             "mesh the edge with elements no longer than the faces that it stands in: nodes of sharp edges are \
-             held by themselves; against the edge of an analytical surface give the slave smaller faces, or \
-             round the edge with FILLET RADIUS",
+             held by themselves; against a round and against the edge of an analytical surface give the slave \
+             smaller faces, or round the edge with FILLET RADIUS",
         ))
     }
 
@@ -379,7 +381,7 @@ mod tests {
     }
 
     /// Requirement: a corner that no node holds, in the other part while the pair is open, is told of long before; round
-    /// parts are not.
+    /// parts are where the pair never closes, and not where it does later.
     #[test]
     fn a_corner_in_faces_that_are_open_is_told() {
         let model = Model::default();
@@ -393,6 +395,9 @@ mod tests {
         assert!(text.contains("increment 3") && text.contains("is open"), "{text}");
         let mut round = Pair { has_corner: false, ..Pair::example() };
         round.follow(&model, &row(0.047, 0), None, 1);
+        let text = round.unseen().unwrap().message;
+        assert!(text.contains("never closes"), "{text}");
+        round.follow(&model, &row(0.05, 1), None, 2);
         assert_eq!(round.unseen(), None);
     }
 
