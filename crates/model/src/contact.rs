@@ -31,6 +31,9 @@ pub struct ContactPair {
     pub faces: Vec<ContactFace>,
     /// The nodes of `faces` that are slaves; empty: all of them.
     pub slaves: Vec<NodeIndex>,
+    /// Whether a node has its share of all these faces, those that do not look at the master too: nodes
+    /// as a surface in CalculiX' dialect.
+    pub counts_sides: bool,
     /// Slave nodes at which the surface turns sharply: the faces that meet there are apart, with a
     /// contact point each ([`Formulation::Mortar`]).
     pub corners: Vec<NodeIndex>,

@@ -139,7 +139,7 @@ fn thermal_work(plan: &Problem<'_>, committed: &State, work: &Scratch) -> Heat {
 }
 
 /// What contact pairs bring that come to a step overclosed: their points stand open in the state before,
-/// and what resolves the overclosure is work of no support. docs/theory.md section 10
+/// and what resolves the overclosure is work of no support; and what areas bring that change. docs/theory.md section 10
 fn brought(plan: &Problem<'_>, committed: &State, trial: &State) -> f64 {
     if committed.balance_origin.is_none() {
         return 0.0;
@@ -156,6 +156,24 @@ fn brought(plan: &Problem<'_>, committed: &State, trial: &State) -> f64 {
             true => now.area * (0.5 * now.pressure * (from - to) + law.energy(to)),
             false => 0.0,
         }
+    };
+    let paired = plan.contact.points.iter().zip(states).map(of_point).sum::<f64>();
+    paired + turned_to(plan, committed, trial)
+}
+
+/// What the laws of closed nodes hold more as other faces about them look at the master: no force of theirs does it.
+/// docs/theory.md section 10
+fn turned_to(plan: &Problem<'_>, committed: &State, trial: &State) -> f64 {
+    let states = committed.points.iter().zip(&trial.points);
+    let of_point = |(point, (before, now)): (&SlavePoint, (&PointState, &PointState))| {
+        let wider = now.area - before.area;
+        if wider == 0.0 || !point.has_shares() || !before.closed || !now.closed {
+            return 0.0;
+        }
+        let law = &plan.contact.laws_of(point.pair, now).normal;
+        let held =
+            |at: &PointState| law.energy(-at.opening) + 0.5 * at.traction.dot(at.elastic_slip);
+        0.5 * wider * (held(before) + held(now))
     };
     plan.contact.points.iter().zip(states).map(of_point).sum()
 }

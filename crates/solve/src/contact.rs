@@ -9,6 +9,7 @@
 //! Geometry only; pressures and tractions come from the laws, in
 //! [`crate::linearised`] and [`crate::evaluate`].
 
+mod areas;
 mod before;
 mod behind;
 mod between;

@@ -196,6 +196,7 @@ mod tests {
             corners: Vec::new(),
             offset: slideline_model::Offset::NONE,
             slaves: Vec::new(),
+            counts_sides: false,
             name: "P".to_owned(),
             formulation: slideline_model::Formulation::SurfaceToSurface,
             vocabulary: slideline_model::Vocabulary::Elements,

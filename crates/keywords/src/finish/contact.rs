@@ -132,6 +132,7 @@ fn pair(surface: &Surface, strayed: bool, in_pair: &mut Numbered<usize, Span>, d
             profile: None,
             offset: Offset::NONE,
             slaves: Vec::new(),
+            counts_sides: false,
             faces: Vec::new(),
             elements,
             of_solids: false,

@@ -118,7 +118,8 @@ fn slaves_of_nodes(pairing: &Pairing, nodes: Vec<NodeIndex>, draft: &mut Draft) 
         let message = format!("{} nodes within solids never touch: left out", others.len());
         draft.log.push(Diagnostic::note(Code("SL0254"), message).at(span));
     }
-    Some(Slaves { faces, nodes: outer, ..Slaves::default() })
+    let counts_sides = draft.dialect == Dialect::Calculix;
+    Some(Slaves { faces, nodes: outer, counts_sides, ..Slaves::default() })
 }
 
 /// The numbers of the nodes of volumes.

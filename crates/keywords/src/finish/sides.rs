@@ -34,6 +34,8 @@ pub(super) struct Slaves {
     pub faces: Vec<ContactFace>,
     /// The nodes of the faces that are slaves; empty: all.
     pub nodes: Vec<NodeIndex>,
+    /// Whether they have shares of faces that do not look at the master.
+    pub counts_sides: bool,
     /// The profile that is the slave.
     pub profile: Option<RigidSurface>,
 }

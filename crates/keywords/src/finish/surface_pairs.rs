@@ -230,6 +230,7 @@ fn put_together(
         of_solids: slaves.of_solids,
         faces: slaves.faces,
         slaves: slaves.nodes,
+        counts_sides: slaves.counts_sides,
         corners,
         profile: slaves.profile,
         master,

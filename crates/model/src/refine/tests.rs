@@ -57,6 +57,7 @@ fn pair(nodes: &[NodeIndex], master: Master) -> ContactPair {
         profile: None,
         offset: crate::Offset::NONE,
         slaves: Vec::new(),
+        counts_sides: false,
         faces: Vec::new(),
         master,
         interaction: Interaction {

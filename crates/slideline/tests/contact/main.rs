@@ -4,6 +4,7 @@ mod adjust;
 mod aligned_blocks;
 mod along_beams;
 mod analytical_in_space;
+mod areas_about_edges;
 mod beam_contact_in_space;
 mod change_friction;
 mod changed_properties;

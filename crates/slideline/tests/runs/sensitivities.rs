@@ -166,6 +166,45 @@ fn a_corner_that_is_held() {
     }
 }
 
+/// The same square tipped by 25 degrees, held softly and tipped further: at its tip one face counts in part.
+fn tipped() -> String {
+    let pair = "TYPE=NODE TO SURFACE\nTIP, TOP";
+    let law = "*FRICTION\n<mu>\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n<stiff>\n";
+    corner(pair)
+        .replace("press = 0.06", "press = 0.06\nstiff = 2000.0\nmore = -1.2*press")
+        .replace(
+            "101, <x>, 0.4\n102, 0.0, 0.8\n103, <left>, 0.4",
+            "101, 0.54, 0.24\n102, 0.29, 0.78\n103, <left>, 0.53",
+        )
+        .replace("*FRICTION\n<mu>\n", law)
+        .replace("HEAD, 2, 2, <down>", "101, 2, 2, <more>\n102, 2, 2, <down>\n103, 2, 2, <down>")
+}
+
+/// Requirement: derivatives where a face at a slave node counts in part, which changes with what the node has done before, are those
+/// of differences, and the run keeps its bits. Source: docs/theory.md 5.21.
+#[test]
+fn a_tip_whose_faces_count_in_part() {
+    let parameters = [
+        ("modulus", 1000.0),
+        ("mu", 0.2),
+        ("press", 0.06),
+        ("stiff", 2000.0),
+        ("x", 0.25),
+        ("low", -0.01),
+    ];
+    let responses: [Response; 5] = [
+        |frame| reaction(frame, 102, Dof::U1),
+        |frame| reaction(frame, 102, Dof::U2),
+        |frame| motion(frame, 100, Dof::U2),
+        |frame| frame.energy.strain_energy,
+        |frame| frame.pairs[0].area,
+    ];
+    let deck = tipped().replace("x = 0.4", "x = 0.25");
+    let seen = Varied::new(&deck, &parameters, &responses).check(&[1e-4], 1e-6);
+    let area = |of: usize| (parameters[of].1 * seen.rates[of][4][4]).abs();
+    assert!((0..6).all(|of| area(of) > 1e-6), "{:?}", seen.rates);
+}
+
 /// A block over two others, spread over faces that rub, pressed down; `moved` moves its nodes.
 fn stuck_block() -> String {
     String::from(

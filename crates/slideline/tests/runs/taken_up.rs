@@ -112,3 +112,39 @@ fn what_snaps_goes_on_alike() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../corpus/new/annular.inp");
     goes_on_alike("annular", &read(&std::fs::read_to_string(path).unwrap()));
 }
+
+/// A square on a soft law that is tipped over its corner, from 10 degrees to 40: the side comes to count at it.
+fn tipped_block() -> Model {
+    let at = |degrees: f64, along: f64, up: f64| {
+        let (sine, cosine) = degrees.to_radians().sin_cos();
+        [along * cosine - up * sine, along * sine + up * cosine - 0.01]
+    };
+    let corners = [(102, 1.0, 0.0), (103, 1.0, 1.0), (104, 0.0, 1.0)];
+    let mut deck = String::from("*NODE\n101, 0.0, -0.01\n");
+    for (node, along, up) in corners {
+        let [x, y] = at(10.0, along, up);
+        writeln!(deck, "{node}, {x:?}, {y:?}").unwrap();
+    }
+    deck +=
+        "*ELEMENT, TYPE=CPE4, ELSET=BLOCK\n101, 101, 102, 103, 104\n*SURFACE, NAME=BLOCK\nBLOCK\n";
+    grid(&mut deck, (1, "STRIP"), ([-1.6, -0.5], 0.5), [6, 1]);
+    deck += "*SOLID SECTION, ELSET=STRIP, MATERIAL=M\n1.\n*SOLID SECTION, ELSET=BLOCK, MATERIAL=M\n1.\n\
+             *MATERIAL, NAME=M\n*ELASTIC\n1000., 0.3\n*SURFACE INTERACTION, NAME=I\n*FRICTION\n0.2\n\
+             *SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n500.\n\
+             *CONTACT PAIR, INTERACTION=I, TYPE=NODE TO SURFACE\nBLOCK, STRIP\n\
+             *STEP, NLGEOM\n*STATIC, DIRECT\n0.0625, 1.\n*BOUNDARY\nSTRIPLOW, 1, 2\n";
+    for (node, along, up) in corners {
+        let [from, to] = [10.0, 40.0].map(|degrees| at(degrees, along, up));
+        for axis in 0..2 {
+            writeln!(deck, "{node}, {0}, {0}, {1:?}", axis + 1, to[axis] - from[axis]).unwrap();
+        }
+    }
+    read(&(deck + "*END STEP\n"))
+}
+
+/// Requirement: so does a block whose faces at a slave node come to count one after the other: their areas are those against
+/// the last commit. Source: docs/theory.md 5.21.
+#[test]
+fn what_tips_over_goes_on_alike() {
+    goes_on_alike("tipped", &tipped_block());
+}

@@ -52,6 +52,7 @@ fn contact() -> ContactPair {
         corners: Vec::new(),
         offset: slideline_model::Offset::NONE,
         slaves: Vec::new(),
+        counts_sides: false,
         faces: Vec::new(),
         elements: vec![element([3, 4]), element([4, 5])],
         master: Master::RigidSurface(RigidSurface {

@@ -19,6 +19,7 @@ impl Contact {
     /// Notes the faces about the slave nodes of a pair.
     pub(super) fn add_slave_faces(&mut self, dofs: &DofMap, place: usize, pair: &ContactPair) {
         let first = self.slave_faces.len();
+        self.first_faces.push(first);
         let corner = |&node: &NodeIndex| (node, [0.0; 3], dofs.translations(node));
         if pair.of_solids {
             let elements = pair.elements.iter().map(|element| element.nodes.iter().map(corner));

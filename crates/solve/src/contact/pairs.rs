@@ -63,8 +63,12 @@ pub struct SlavePoint {
     pub pair: usize,
     /// Its node; of an integration point the nearer one.
     pub node: NodeIndex,
-    /// Tributary area [L2]; of an integration point, with its whole cell closed.
+    /// Tributary area [L2]; of an integration point, with its whole cell closed; of a node, with the faces that do
+    /// not look at its master.
     pub area: f64,
+    /// What of its area it has of which faces of the slave surface; none where all of it counts wherever
+    /// its master is [L2].
+    pub(super) shares: Vec<(usize, f64)>,
     /// Where its state values of a user friction law begin.
     pub state_variables: usize,
     /// How many they are.
@@ -85,6 +89,11 @@ impl SlavePoint {
     /// Whether it is a slave node that meets its master by itself.
     pub(crate) fn is_node(&self) -> bool {
         !self.is_integration_point() && self.mortar.is_none() && !self.is_crossing
+    }
+
+    /// Whether its area is that of the faces about it that look at the master.
+    pub(crate) fn has_shares(&self) -> bool {
+        !self.shares.is_empty()
     }
 
     /// Whether it is spread over faces of the slave.
@@ -141,6 +150,8 @@ pub struct Contact {
     pub(super) thicknesses: Thicknesses,
     /// Faces of the slave surfaces of contact at nodes.
     pub(super) slave_faces: Vec<SlaveFace>,
+    /// The first of them, a pair of the model each.
+    pub(super) first_faces: Vec<usize>,
     /// Masters that have a sharp edge, a pair each.
     pub(super) sharp: Vec<bool>,
     /// Slave surfaces whose contact is spread over their faces.
@@ -206,6 +217,7 @@ impl Contact {
             pair,
             node,
             area,
+            shares: Vec::new(),
             state_variables,
             state_size,
             mortar,

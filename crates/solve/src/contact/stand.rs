@@ -50,8 +50,8 @@ impl Contact {
         for (place, point) in self.points.iter().enumerate() {
             let is_idle = idle.get(place).is_some_and(|&idle| idle);
             if !is_idle && point.is_node() {
-                into.at_mut(place).point.area = point.area;
                 self.locate_one(place, (u, before), positions, into);
+                self.take_area(place, (u, before), into);
             }
         }
         self.locate_crossings(u, before, into);
@@ -91,7 +91,14 @@ impl Contact {
     ) {
         for place in (0..self.points.len()).filter(|&place| idle[place]) {
             self.locate_one(place, (u, before), positions, into);
+            self.take_area(place, (u, before), into);
         }
+    }
+
+    /// The area of a slave node that was just looked at.
+    fn take_area(&self, place: usize, at: (&[f64], Before<'_>), into: &mut ContactKinematics) {
+        let point = into.at_mut(place).point;
+        point.area = self.area_of_node(place, at, point);
     }
 
     /// Where all points stand at displacements `u`, however far from their masters;
@@ -102,10 +109,12 @@ impl Contact {
         self.locate_face_mortars(u, Before::NOTHING, into);
         let alone = |(_, point): &(usize, &SlavePoint)| point.mortar.is_none();
         for (place, point) in self.points.iter().enumerate().filter(alone) {
-            let own = into.at_mut(place);
-            own.point.area = point.area;
-            own.point.xi = self.resting_place(place);
+            into.at_mut(place).point.xi = self.resting_place(place);
             self.locate_one(place, (u, Before::NOTHING), positions, into);
+            match point.is_integration_point() {
+                true => into.at_mut(place).point.area = point.area,
+                false => self.take_area(place, (u, Before::NOTHING), into),
+            }
         }
         self.locate_crossings(u, Before::NOTHING, into);
     }

@@ -7,6 +7,7 @@
 //!
 //! Which points there are, and which dofs they follow, stays.
 
+use super::areas::across;
 use super::chains::{continued, listed_nodes, own_parts};
 use super::laws;
 use super::master::MasterSurface;
@@ -16,38 +17,26 @@ use super::segment::{Along, NEAR, SEGMENT_POINTS, STRETCHES, SlaveSegment};
 use crate::dofs::DofMap;
 use crate::users::UserFrictions;
 use slideline_mech::contact::pair::Stretch;
-use slideline_mech::contact::points::faces::tributary_areas as face_areas;
-use slideline_mech::contact::points::{
-    Across, chord, integration_points::HermiteLine, tributary_areas,
-};
+use slideline_mech::contact::points::{chord, integration_points::HermiteLine};
 use slideline_mech::surface::mesh::FaceMesh;
 use slideline_mech::vector::{size, sub};
 use slideline_model::{
     ContactPair, Formulation, Master, MasterFaces, Model, NodeIndex, RigidSurface, SlideLine,
     SymmetryPlane,
 };
-use std::collections::HashMap;
 
 impl Contact {
     /// Positions and areas of the slave nodes.
     pub(super) fn take_points(&mut self, model: &Model) {
         for point in &mut self.points {
             point.area = 0.0;
+            point.shares.clear();
             if let Carrier::Node { position, .. } = &mut point.carrier {
                 *position = model.nodes.get(point.node).position;
             }
         }
-        let position = |node: NodeIndex| model.nodes.get(node).position;
-        let Self { points, edges, .. } = self;
-        for (pair, edges) in model.contact_pairs.iter().zip(&*edges) {
-            let elements = pair.elements.iter().zip(edges);
-            let elements = elements.map(|(element, &edge)| {
-                (edge, element.lumping.shares(), element.nodes.map(position))
-            });
-            let across = across(model, pair);
-            if pair.formulation != Formulation::Mortar {
-                tributary_areas(elements, across, |point, area| points[point].area += area);
-            }
+        for (place, pair) in model.contact_pairs.iter().enumerate() {
+            self.take_element_areas(model, place, pair);
         }
         self.take_mortars(model);
         let at_nodes = |pair: &ContactPair| pair.formulation != Formulation::Mortar;
@@ -77,24 +66,6 @@ impl Contact {
             let first = mortar.first;
             mortar.take(positions, across(model, pair), |point, area| {
                 points[first + point].area += area;
-            });
-        }
-    }
-
-    /// Areas of the slave nodes of a pair in space.
-    fn take_face_areas(&mut self, model: &Model, place: usize, pair: &ContactPair) {
-        let Some(first) = self.points.iter().position(|point| point.pair == place) else { return };
-        let nodes = &self.slave_nodes[place];
-        let of_node: HashMap<_, _> =
-            nodes.iter().enumerate().map(|(k, &n)| (n, first + k)).collect();
-        for face in &pair.faces {
-            let Some(cell) = face.cell() else { continue };
-            let at: Vec<_> = face.nodes.iter().map(|&n| model.nodes.get(n).position).collect();
-            let points = &mut self.points;
-            face_areas(cell, &at, |node, area| {
-                if let Some(&point) = of_node.get(&face.nodes[node]) {
-                    points[point].area += area;
-                }
             });
         }
     }
@@ -224,14 +195,6 @@ impl Contact {
         if matches!(pair.interaction.friction, slideline_model::Friction::User { .. }) {
             *own = laws::laws(model, pair, length, users);
         }
-    }
-}
-
-/// How far the contact of a pair of the plane reaches across it.
-fn across(model: &Model, pair: &ContactPair) -> Across {
-    match model.is_of_rings() {
-        true => Across::Ring,
-        false => Across::Width(pair.interaction.width),
     }
 }
 

@@ -129,6 +129,7 @@ pub(crate) fn model(line: bool, offset: Offset) -> Model {
         corners: Vec::new(),
         offset,
         slaves: Vec::new(),
+        counts_sides: false,
         name,
         formulation,
         vocabulary: slideline_model::Vocabulary::Elements,

@@ -9,6 +9,7 @@
 
 pub mod faces;
 pub mod integration_points;
+pub mod looking;
 pub mod slopes;
 
 /// How far contact reaches across the plane of the model.

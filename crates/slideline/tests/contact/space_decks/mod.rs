@@ -157,7 +157,8 @@ pub struct Block {
 /// Corners of a hexahedron, by halves of its cell.
 const CORNERS: [[usize; 3]; 8] =
     [[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0], [0, 0, 2], [2, 0, 2], [2, 2, 2], [0, 2, 2]];
-const EDGES: [[usize; 2]; 12] = [
+/// Edges of a hexahedron that have middle nodes, those of its lower face first.
+pub const EDGES: [[usize; 2]; 12] = [
     [0, 1],
     [1, 2],
     [2, 3],

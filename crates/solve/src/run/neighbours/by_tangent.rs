@@ -15,7 +15,7 @@ use super::increment::{Increment, Linear, Pair};
 use super::room::{Moves, Room};
 use crate::commit::commit;
 use crate::constraints::{Role, Rows};
-use crate::contact::{MovingPoints, PointKinematics};
+use crate::contact::{Before, MovingPoints, PointKinematics};
 use crate::evaluate::zero;
 use crate::moments::turn_moments;
 use crate::newton::Scratch;
@@ -41,6 +41,17 @@ impl Increment<'_> {
             && plan.contact.is_told_by_rows()
             && plan.contact.edges_are_open(&base.evaluation.points)
             && !base.is_stabilised()
+            && !self.turns_areas(base)
+    }
+
+    /// Whether areas of slave nodes follow how their faces and masters turn, before the increment or behind it: what turns is
+    /// known to evaluations alone.
+    fn turns_areas(&self, base: &Scratch) -> bool {
+        let mut points = base.evaluation.kinematics.points().iter().enumerate();
+        let ends = [Before::of(self.old), Before::NOTHING];
+        points.any(|(place, now)| {
+            ends.iter().any(|&end| self.plan.contact.counts_in_part(place, (&base.u, end), now))
+        })
     }
 
     /// How integration points follow the closed parts of their cells; whether that can be told.

@@ -9,6 +9,7 @@
 
 use super::increment::{Increment, Pair};
 use super::room::{Moves, Room};
+use crate::contact::Before;
 use crate::newton::Scratch;
 use crate::state::PointState;
 use crate::tangent::{Kept, Place};
@@ -22,7 +23,7 @@ impl Increment<'_> {
         base: &Scratch,
         (room, moves): (&mut Room, impl Fn(usize) -> bool),
     ) {
-        let Room { sides, moving, tangent: Moves { moved, ends, slips, .. }, .. } = room;
+        let Room { sides, before, moving, tangent: Moves { moved, ends, slips, .. }, .. } = room;
         let facing = base.evaluation.kinematics.points().iter().enumerate();
         let facing = facing.filter(|(place, point)| point.faces && moves(*place));
         for (place, _) in facing {
@@ -39,11 +40,14 @@ impl Increment<'_> {
                 coordinates += xi * own.along;
                 slips[place] = moving.slides(own, (slides, xi), pair.known);
             }
-            let whole = self.plan.contact.points[place].area;
+            let contact = &self.plan.contact;
+            let whole = contact.area_of_node(place, (&base.u, Before::of(self.old)), &from);
             for (k, (side, step)) in sides.iter_mut().zip(pair.steps()).enumerate() {
-                let of_cell = pair.problems[k].contact.points[place].area;
-                let wider = if of_cell == whole { 1.0 } else { of_cell / whole };
                 let point = &mut side.evaluation.kinematics.points_mut()[place];
+                let (contact, at) =
+                    (pair.problems[k].contact, (&side.u[..], Before::of(&before[k])));
+                let own = contact.area_of_node(place, at, point);
+                let wider = if own == whole { 1.0 } else { own / whole };
                 point.overclosure = from.overclosure + step * closes;
                 point.along = from.along + step * coordinates;
                 point.area = from.area * (wider + step * stretch);
