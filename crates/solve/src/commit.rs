@@ -150,6 +150,6 @@ pub fn initial_contact(model: &Model) -> Vec<ContactRow> {
     let mut kinematics = contact.nowhere();
     let places = (&mut MasterPositions::default(), &mut kinematics);
     locate_points(&contact, None, &mut state, places);
-    contact_rows((model, &dofs), &contact, &state, (&mut rows, &mut Vec::new()));
+    contact_rows((model, &dofs), &contact, (&state, None), (&mut rows, &mut Vec::new()));
     rows
 }

@@ -6,17 +6,20 @@
 //!                        weighted by its linear shape function
 //! ```
 
-use crate::contact::{Contact, SEGMENT_POINTS, SlavePoint, SlaveSegment};
+use crate::contact::{
+    Contact, ContactKinematics, PointRows, SEGMENT_POINTS, SlavePoint, SlaveSegment,
+};
 use crate::dofs::DofMap;
 use crate::observe::results::{ContactRow, FrictionCall, Status};
 use crate::state::{PointState, State};
 use slideline_model::{Formulation, Model, NodeIndex};
 
-/// Fills the rows of a committed state, pair by pair; sums of nodes are scratch.
+/// Fills the rows of a committed state, pair by pair, with what its contact points push, if they were evaluated; sums of nodes are
+/// scratch.
 pub fn contact_rows(
     numbered: Numbered<'_>,
     contact: &Contact,
-    state: &State,
+    (state, pushing): (&State, Option<&ContactKinematics>),
     (rows, gathered): (&mut Vec<ContactRow>, &mut Vec<Gathered>),
 ) {
     rows.clear();
@@ -24,7 +27,7 @@ pub fn contact_rows(
     for (place, pair) in numbered.0.contact_pairs.iter().enumerate() {
         match pair.formulation {
             Formulation::NodeToSurface | Formulation::Mortar => {
-                node_rows(contact, state, place, rows)
+                node_rows((numbered.1, contact), (state, pushing), place, rows)
             }
             Formulation::SurfaceToSurface => {
                 gather_rows(numbered, contact, (state, place), gathered);
@@ -52,10 +55,37 @@ fn edge_rows(contact: &Contact, state: &State, rows: &mut Vec<ContactRow>) {
 /// A model with its dofs.
 type Numbered<'a> = (&'a Model, &'a DofMap);
 
-fn node_rows(contact: &Contact, state: &State, pair: usize, rows: &mut Vec<ContactRow>) {
-    let of_pair = |(point, _): &(&SlavePoint, _)| point.pair == pair;
-    let own = contact.points.iter().zip(&state.points).filter(of_pair);
-    rows.extend(own.map(|(point, state)| row_of(point, state, pair)));
+fn node_rows(
+    (dofs, contact): (&DofMap, &Contact),
+    (state, pushing): (&State, Option<&ContactKinematics>),
+    pair: usize,
+    rows: &mut Vec<ContactRow>,
+) {
+    let points = contact.points.iter().zip(&state.points).enumerate();
+    let own = points.filter(|(_, (point, _))| point.pair == pair);
+    rows.extend(own.map(|(place, (point, state))| {
+        let row = row_of(point, state, pair);
+        let pushing = pushing.filter(|_| state.closed && point.is_spread());
+        match pushing.map(|all| pushed((dofs, contact), pair, all.at(place))) {
+            Some(normal) => ContactRow { normal, ..row },
+            None => row,
+        }
+    }));
+}
+
+/// Force on the slave of a point that is spread over faces, of a normal force of one: along the master, not along the normal of the
+/// slave, and of length one where the covered area stands still. docs/theory.md eqs. (5.26), (5.36)
+fn pushed((dofs, contact): (&DofMap, &Contact), pair: usize, point: PointRows<'_>) -> [f64; 3] {
+    let mut force = [0.0; 3];
+    let rows = point.rows;
+    for (&own, by) in rows.unknowns.iter().zip(rows.normal()) {
+        let (node, dof) = dofs.name(own);
+        if !dof.is_rotation() && contact.is_spread_slave(pair, node) == Some(true) {
+            // rows are by overclosure, which falls along the force
+            force[dof as usize % 3] -= by;
+        }
+    }
+    force
 }
 
 /// Its area is the one that its pressure acts on: of faces that are covered in part, that part.

@@ -156,6 +156,32 @@ fn sides_of_a_block_carry_nothing() {
     }
 }
 
+/// Requirement: pressure times area along the normal of the contact table sums up to the force of pressure of its pair, at
+/// nodes and over faces, in the plane and in space, on a master that is not parallel to the slave, held softly and hard. Source:
+/// docs/files.md. Tolerance: rounding of the table.
+#[test]
+fn normals_of_the_table_carry_the_force_of_the_pair() {
+    let law = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n100.0\n";
+    for (kind, axes) in [("CPE4", &["x", "y"][..]), ("C3D8", &["x", "y", "z"])] {
+        for contact in ["NODE TO SURFACE", "SURFACE TO SURFACE"] {
+            for held in [law, ""] {
+                let deck = deck(kind, (contact, "UPPER, S1"), 0.08).replace(law, held);
+                let name = format!("{kind}-{}-{}", contact.replace(' ', "-"), held.len());
+                let [pair, points, _] = tables(&name, &deck);
+                let along = |axis: &str| pair.sum(|cell| cell(&format!("normal_{axis}")));
+                let size = axes.iter().fold(0.0, |size: f64, axis| size.hypot(along(axis)));
+                assert!(along("x").abs() > 1e-3 * size, "{name}: nothing leans");
+                for axis in axes {
+                    let column = format!("normal_{axis}");
+                    let sum = points.sum(|cell| cell("CPRESS") * cell("area") * cell(&column));
+                    let whole = along(axis);
+                    assert!((whole - sum).abs() < 1e-9 * size, "{name} {axis}: {sum} for {whole}");
+                }
+            }
+        }
+    }
+}
+
 /// A block that stands softly on its corner is tipped over it from 10 degrees to 40 in so many increments.
 fn tipped(increments: usize) -> String {
     let at = |degrees: f64, [along, up, _]: [f64; 3]| {

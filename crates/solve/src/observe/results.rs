@@ -77,7 +77,8 @@ pub struct ContactRow {
     pub friction: FrictionCall,
     /// Current position of the point [L].
     pub position: [f64; 3],
-    /// Outward normal of the master there [1].
+    /// Outward normal of the master there; of a closed point that is spread over faces the force on the slave of a normal force
+    /// of one [1].
     pub normal: [f64; 3],
     /// Place on the master along its direction of travel; of contact over faces the slip since it closed [L].
     pub along: f64,

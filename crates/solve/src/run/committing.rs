@@ -42,7 +42,7 @@ impl Analysis<'_> {
         closed.extend(contact.iter().map(|row| row.status != Status::Open));
         let dropped = |point: &&crate::state::PointState| point.friction == FrictionCall::Dropped;
         self.totals.dropped_points += self.committed.points.iter().filter(dropped).count();
-        self.rows.fill(plan, self.committed);
+        self.rows.fill(plan, (self.committed, Some(&work.evaluation.kinematics)));
         self.watch_overpulled(plan, target);
         let last = *decision == Decision::StepDone;
         let numbers = Numbers { last, ..Numbers::of(target, outcome) };

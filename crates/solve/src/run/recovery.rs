@@ -170,7 +170,7 @@ impl Analysis<'_> {
         work: &Scratch,
     ) -> Result<(), Left> {
         commit(plan, self.committed, target, work, self.trial);
-        self.rows.fill(plan, self.trial);
+        self.rows.fill(plan, (self.trial, Some(&work.evaluation.kinematics)));
         let residual = work.residuals(plan);
         let numbers = Numbers::of(target, outcome);
         let frame = frame(plan, self.trial, &numbers, self.rows);

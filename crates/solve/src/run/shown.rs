@@ -2,6 +2,7 @@
 
 use crate::account::{rounding, unsure};
 use crate::balance::Sum;
+use crate::contact::ContactKinematics;
 use crate::heaviest::Measured;
 use crate::newton::Outcome;
 use crate::observe::results::{BeamRow, BlockResults, ContactRow, PairRow, SectionRow};
@@ -39,10 +40,14 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    /// Those of a state; pairs are left as they are.
-    pub fn fill(&mut self, plan: &Problem<'_>, state: &State) {
+    /// Those of a state, whose contact may just have been evaluated; pairs are left as they are.
+    pub fn fill(
+        &mut self,
+        plan: &Problem<'_>,
+        (state, pushing): (&State, Option<&ContactKinematics>),
+    ) {
         let rows = (&mut self.contact, &mut self.gathered);
-        contact_rows((plan.model, plan.dofs), plan.contact, state, rows);
+        contact_rows((plan.model, plan.dofs), plan.contact, (state, pushing), rows);
         let ambient = Ambient {
             temperatures: &state.temperatures,
             turns: &state.turns,

@@ -124,7 +124,7 @@ impl Analysis<'_> {
             self.tell(Event::Diagnosed(&said))?;
             return Err(Left::Failed(Box::new(said)));
         }
-        self.rows.fill(plan, self.committed);
+        self.rows.fill(plan, (self.committed, None));
         self.rows.pairs.clear();
         self.rows.sections.clear();
         let increment = from.map_or(0, |from| from.increment);

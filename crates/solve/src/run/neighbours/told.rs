@@ -25,7 +25,7 @@ pub struct Shown<'a> {
 
 impl Shown<'_> {
     fn fill(&self, closed: &[bool], rows: &mut Rows) {
-        rows.fill(self.plan, self.state);
+        rows.fill(self.plan, (self.state, Some(&self.work.evaluation.kinematics)));
         let Rows { contact, pairs, sums, .. } = rows;
         pair_rows(self.plan, self.state, self.work, (contact, closed), (pairs, sums));
         take_approaches(self.state, pairs);
