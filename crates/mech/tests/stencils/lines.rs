@@ -128,9 +128,11 @@ fn pulled_bars() {
     let expected = 0.4 * (0.2 + plastic) / 1.1;
     let pull: f64 = (0..3).map(|k| force[3 + k] * axis[k]).sum();
     assert!((pull - expected).abs() < 1e-12, "{pull} {expected}");
-    let mut results = [0.0; 3];
+    // stress, strains along and across, plastic strain
+    let mut results = [0.0; 4];
     kernel.results(0, &moved, &state, &Strains::Exact.into(), &mut results);
-    assert!((results[0] - 0.2 - plastic).abs() < 1e-12 && (results[2] - plastic).abs() < 1e-12);
+    assert!((results[0] - 0.2 - plastic).abs() < 1e-12 && (results[3] - plastic).abs() < 1e-12);
+    assert!((results[1] - 1.1_f64.ln()).abs() < 1e-12 && results[2] < 0.0, "{results:?}");
 }
 
 /// Requirement: a spring in space is its energy, with a table too; the plane's is the same spring.

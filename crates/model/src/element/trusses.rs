@@ -7,10 +7,10 @@ use super::kernels;
 use super::section::Section;
 use slideline_mech::element::cell::{LINE2, LINE3};
 
-/// Stress along a truss, its strain, plastic strain and creep strain, at its integration points.
+/// Stress along a truss, its strains along and across, plastic strain and creep strain, at its integration points.
 const TRUSS_FIELDS: &[Field] = &[
     of(at(Location::Points, "S", "[F/L2]"), &["S11"]),
-    of(at(Location::Points, "E", "[1]"), &["E11"]),
+    of(at(Location::Points, "E", "[1]"), &["E11", "E22"]),
     of(at(Location::Points, "PEEQ", "[1]"), &["PEEQ"]),
     of(at(Location::Points, "CEEQ", "[1]"), &["CEEQ"]),
 ];

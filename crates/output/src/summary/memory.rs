@@ -105,7 +105,7 @@ impl Memory {
     /// Takes in stresses and strains of solids, and what of their allowables that is.
     pub(super) fn follow_solids(&mut self, frame: &Frame<'_>) {
         let mut plastic = Vec::new();
-        for solid in solids(frame) {
+        for solid in solids(frame).filter(|solid| !solid.block.kind.is_truss()) {
             let at = |value| (value, solid.element.label, frame.total_time);
             let limits = frame.model.allowables.iter().filter(|own| own.block == solid.number);
             for point in 0..solid.points() {

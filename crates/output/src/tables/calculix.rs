@@ -15,7 +15,7 @@ use crate::fixed::push_exponent;
 use crate::fortran::push_fortran;
 use slideline_mech::orientation;
 use slideline_model::{
-    Axes, Dof, ElementPrint, ElementVariable, NodePrint, NodeVariable, Request, Totals,
+    Axes, Dialect, Dof, ElementPrint, ElementVariable, NodePrint, NodeVariable, Request, Totals,
 };
 use slideline_results::NodeField;
 use slideline_results::element::{Quantity, Solid};
@@ -158,12 +158,29 @@ fn axes(frame: &Frame<'_>, print: &ElementPrint, solid: &Solid<'_>) -> Vec<Axes>
     solid.block.axes_at_points(solid.place, &nodes.collect::<Vec<_>>())
 }
 
+/// Whether an element has what is printed.
+fn offers(solid: &Solid<'_>, variable: ElementVariable) -> bool {
+    let kind = solid.block.kind;
+    Quantity::of(variable).is_some_and(|own| !own.components(kind, Dialect::Calculix).is_empty())
+}
+
 fn push_points(text: &mut String, solid: &Solid<'_>, variable: ElementVariable, axes: &[Axes]) {
     let mut values = Vec::new();
+    if !offers(solid, variable) {
+        return;
+    }
     for point in 0..solid.points() {
         values.clear();
         if let Some(quantity) = Quantity::of(variable) {
             solid.push(quantity, point, &mut values);
+        }
+        // ccx tells of trusses along the axes of the model
+        match (variable, solid.block.kind.is_truss()) {
+            (ElementVariable::S, true) => values = solid.stress_in_space(point).to_vec(),
+            (ElementVariable::E, true) => {
+                values = solid.truss_strain(point).map(Vec::from).unwrap_or_default()
+            }
+            _ => {}
         }
         if variable == ElementVariable::ENER {
             solid.push(Quantity::Field("PENER"), point, &mut values);
@@ -198,7 +215,7 @@ fn push_whole(
     };
     if print.request.totals != Totals::Only {
         push_title(text, rows, &print.request, frame);
-        for solid in named(frame, print) {
+        for solid in named(frame, print).filter(|solid| offers(solid, variable)) {
             let _ = write!(text, "{:>10}", solid.element.label); // a String takes any text
             push_numbers(text, [value(&solid)]);
         }

@@ -1,4 +1,4 @@
-//! Tables of solids: a row an integration point; what an element has once, a row an element.
+//! Tables of solids and trusses: a row an integration point; what an element has once, a row an element.
 //! Elements whose columns are not the same have tables of their own.
 
 use super::calculix;
@@ -46,11 +46,17 @@ fn tables_of(
         if names.is_empty() {
             continue;
         }
-        let known = tables.iter().position(|(_, table)| table.names == names);
+        let all = match solid.block.kind.is_truss() {
+            true => "ELEMENTS all trusses",
+            false => "ELEMENTS all solids",
+        };
+        let what = title(print, all);
+        let mut each = tables.iter();
+        let known = each.position(|(own, table)| *own == what && table.names == names);
         let known = known.unwrap_or_else(|| {
             let head = head("ELEMENT", pointed.then_some("POINT"));
             let table = Table { head, names: names.clone(), rows: Vec::new() };
-            tables.push((title(print, "ELEMENTS all solids"), table));
+            tables.push((what, table));
             tables.len() - 1
         });
         for point in 0..if pointed { solid.points() } else { 1 } {

@@ -7,6 +7,7 @@
 //!   1-------2
 //! ```
 
+mod lines;
 mod nodes;
 mod points;
 

@@ -8,7 +8,7 @@
 //!   o---o---o
 //! ```
 
-use super::points::{principal, solids};
+use super::points::{Solid, principal, solids};
 use slideline_model::{Dialect, ElementType, Location, Model, NodeIndex};
 use slideline_solve::observe::Frame;
 
@@ -91,17 +91,18 @@ impl Columns {
     }
 }
 
-/// Results at the nodes of all solids of a frame. `place` says for block and node where its values
+/// Results at the nodes of all solids of a frame, and of trusses where no solid is. `place` says for block and node where its values
 /// are summed, among `places`: those of one place are averaged.
 pub fn nodal_results(
     frame: &Frame<'_>,
     places: usize,
-    place: impl Fn(usize, NodeIndex) -> usize,
+    place: impl Fn(usize, NodeIndex) -> usize + Copy,
 ) -> NodalResults {
     let mut sums: Vec<([f64; WIDTH], f64)> = vec![([0.0; WIDTH], 0.0); places];
     let (mut columns, mut of_block) = (Columns::default(), None);
     let (mut points, mut nodes) = (Vec::new(), Vec::new());
-    for solid in solids(frame).filter(|solid| solid.points() > 0) {
+    let is_whole = |solid: &Solid<'_>| solid.points() > 0 && !solid.block.kind.is_truss();
+    for solid in solids(frame).filter(is_whole) {
         if of_block.replace(solid.number) != Some(solid.number) {
             columns = Columns::of(solid.block.kind);
         }
@@ -121,6 +122,7 @@ pub fn nodal_results(
             }
         }
     }
+    add_trusses(frame, place, &mut sums);
     let shear = if frame.model.dialect == Dialect::Abaqus { 0.5 } else { 1.0 };
     let mean = |(sum, count): ([f64; WIDTH], f64)| {
         let mean = sum.map(|sum| sum / count);
@@ -132,6 +134,35 @@ pub fn nodal_results(
     };
     let all = sums.into_iter().map(|sums| (sums.1 > 0.0).then(|| mean(sums)));
     NodalResults(all.collect())
+}
+
+/// Adds trusses where no solid is, along the axes of the model: along a truss alone, its stress is none that solids could be
+/// averaged with.
+fn add_trusses(
+    frame: &Frame<'_>,
+    place: impl Fn(usize, NodeIndex) -> usize,
+    sums: &mut [([f64; WIDTH], f64)],
+) {
+    let has_solids: Vec<bool> = sums.iter().map(|(_, count)| *count > 0.0).collect();
+    let shear = if frame.model.dialect == Dialect::Abaqus { 2.0 } else { 1.0 };
+    for truss in solids(frame).filter(|own| own.points() > 0 && own.block.kind.is_truss()) {
+        let mut mean = [0.0; WIDTH];
+        let share = 1.0 / truss.points() as f64;
+        for point in 0..truss.points() {
+            let mut strain = truss.truss_strain(point).unwrap_or_default();
+            strain[3..].iter_mut().for_each(|own| *own *= shear);
+            let one = |name| truss.field(name, point).first().copied().unwrap_or_default();
+            let tensors = truss.stress_in_space(point).into_iter().chain(strain);
+            let values = tensors.chain([one("PEEQ"), 0.0, 0.0, one("CEEQ")]);
+            mean.iter_mut().zip(values).for_each(|(sum, own)| *sum += share * own);
+        }
+        for &node in truss.element.nodes {
+            let at = place(truss.number, node);
+            let Some((sum, count)) = sums.get_mut(at).filter(|_| !has_solids[at]) else { continue };
+            sum.iter_mut().zip(mean).for_each(|(sum, own)| *sum += own);
+            *count += 1.0;
+        }
+    }
 }
 
 /// Of every block the first one with the same section: over its border stresses may jump.

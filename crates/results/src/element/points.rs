@@ -58,8 +58,11 @@ impl Quantity {
         let (count, _) = stress_field(kind).unwrap_or_default();
         let logarithmic = dialect == Dialect::Abaqus;
         match self {
+            // across a truss nothing is prescribed, and nothing told
+            Self::Field("E") if kind.is_truss() => &["E11"],
             Self::Field(name) => kind.field(name).map_or(&[], |(field, _)| field.components),
             Self::LogarithmicStrain if logarithmic => &STRAINS[..count],
+            Self::PlasticStrain | Self::CreepStrain if kind.is_truss() => &[],
             Self::PlasticStrain if logarithmic => &PLASTIC_STRAINS[..count],
             Self::CreepStrain if logarithmic => &CREEP_STRAINS[..count],
             Self::Mises if count > 0 => &["MISES"],
@@ -77,12 +80,12 @@ const PLASTIC_STRAINS: [&str; 6] = ["PE11", "PE22", "PE33", "PE12", "PE13", "PE2
 const CREEP_STRAINS: [&str; 6] = ["CE11", "CE22", "CE33", "CE12", "CE13", "CE23"];
 const STRESSES: [&str; 6] = ["S11", "S22", "S33", "S12", "S13", "S23"];
 
-/// How many components the stress of a type has at its points, and where it begins among its
-/// values; `None`: it has no such stress.
+/// How many components the stress of a type has at its points, of a truss that along it alone, and where it
+/// begins among its values; `None`: it has no such stress.
 fn stress_field(kind: &ElementType) -> Option<(usize, usize)> {
     let (field, first) = kind.field("S")?;
     let width = field.components.len();
-    let known = width >= 4 && STRESSES.starts_with(field.components);
+    let known = (width >= 4 || kind.is_truss()) && STRESSES.starts_with(field.components);
     (known && field.location == Location::Points).then_some((width, first))
 }
 
@@ -95,7 +98,7 @@ fn largest(values: [f64; 3]) -> f64 {
 /// A solid, or another element that is no beam, with its results.
 #[derive(Clone, Copy, Debug)]
 pub struct Solid<'a> {
-    frame: &'a Frame<'a>,
+    pub(super) frame: &'a Frame<'a>,
     /// Index of its block in the model.
     pub number: usize,
     /// Its block.
@@ -159,7 +162,7 @@ impl<'a> Solid<'a> {
         stress_field(self.block.kind).map_or(0, |_| self.block.kind.points)
     }
 
-    /// Cauchy stress at a point, counted from 0: 11, 22, 33, 12, 13, 23 [F/L2].
+    /// Cauchy stress at a point, counted from 0: 11, 22, 33, 12, 13, 23, of a truss along it [F/L2].
     pub fn stress(&self, point: usize) -> [f64; 6] {
         let mut stress = [0.0; 6];
         if let Some((width, first)) = stress_field(self.block.kind) {
@@ -174,7 +177,9 @@ impl<'a> Solid<'a> {
         let kind = self.block.kind;
         let count = quantity.components(kind, self.frame.model.dialect).len();
         match quantity {
-            Quantity::Field(name) => into.extend_from_slice(self.field(name, point)),
+            Quantity::Field(name) => {
+                into.extend_from_slice(self.field(name, point).get(..count).unwrap_or_default());
+            }
             Quantity::LogarithmicStrain => {
                 into.extend_from_slice(&self.field("E", point)[..count]);
             }
@@ -238,7 +243,7 @@ impl<'a> Solid<'a> {
     }
 
     /// Values of a field at a point; of the whole element where it has one value.
-    fn field(&self, name: &str, point: usize) -> &[f64] {
+    pub(super) fn field(&self, name: &str, point: usize) -> &[f64] {
         let Some((field, first)) = self.block.kind.field(name) else { return &[] };
         let width = field.components.len();
         let before = if field.location == Location::Centroid { 0 } else { width * point };

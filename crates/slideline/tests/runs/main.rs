@@ -19,6 +19,7 @@ mod solid_files;
 mod taken_up;
 mod time_error_bars;
 mod too_large;
+mod truss_files;
 mod user_element;
 mod user_friction;
 mod user_material;

@@ -220,18 +220,29 @@ impl<const D: usize, const N: usize, const P: usize> Kernel for Trusses<D, N, P>
             let before = self.of_point(state, k);
             let answer = self.bar.material.uniaxial(point.stretch, &conditions, before, own);
             let e = point.stretch;
-            let (strain, volume) = match (self.bar.told, conditions.large) {
-                (_, false) => (e, 1.0),
+            let across = answer.across;
+            let (strains, volume) = match (self.bar.told, conditions.large) {
+                (_, false) => ([e, across], 1.0),
                 // the hot section shrinks at constant volume, as the manual has it
                 (Told::Logarithmic, true) => {
-                    (e.ln_1p(), self.bar.material.thermal_volume(&conditions))
+                    ([e, across].map(f64::ln_1p), self.bar.material.thermal_volume(&conditions))
                 }
-                (Told::Green, true) => (e + 0.5 * e * e, (1.0 + e) * (1.0 + answer.across).powi(2)),
+                (Told::Green, true) => {
+                    ([e, across].map(|e| e + 0.5 * e * e), (1.0 + e) * (1.0 + across).powi(2))
+                }
             };
             let [plastic, creep] = self.bar.told.flowed(&self.bar.material, before);
-            let values = [answer.stress / volume, strain, plastic, creep];
-            for (field, value) in values.into_iter().enumerate() {
-                if let Some(entry) = into.get_mut(field * P + k) {
+            // field by field: stress, the strains of each point, plastic strain, creep strain
+            let [along, across] = strains;
+            let values = [
+                (k, answer.stress / volume),
+                (P + 2 * k, along),
+                (P + 2 * k + 1, across),
+                (3 * P + k, plastic),
+                (4 * P + k, creep),
+            ];
+            for (place, value) in values {
+                if let Some(entry) = into.get_mut(place) {
                     *entry = value;
                 }
             }
