@@ -16,8 +16,8 @@ const TOUCH: f64 = 1e-6;
 /// Cosine of the angle of normals up to which faces stand across a master, and look neither way [1]. (choice)
 const ACROSS: f64 = 0.1;
 
-/// How many points touch or overlap a master that was drawn, whose outside looks the same way as their own faces;
-/// `None` where those are not the most of all that do.
+/// How many points touch or overlap a master that was drawn, whose outside looks the same way as their own faces, and
+/// how many face it; `None` where the first are not the most of all that touch it.
 pub fn look_alike(start: &Start<'_>, place: usize, pair: &ContactPair) -> Option<[usize; 2]> {
     let is_of_faces = pair.of_solids || !pair.faces.is_empty();
     if !is_of_faces || !is_drawn(start.model, pair) {
@@ -29,8 +29,8 @@ pub fn look_alike(start: &Start<'_>, place: usize, pair: &ContactPair) -> Option
         Some(rows) => rows.iter().filter(|row| row.opening.is_finite()).collect(),
         None => start.facing(place).collect(),
     };
-    let touching = || facing.iter().filter(|row| row.opening < TOUCH * start.reach);
-    let looks_alike = |row: &&&ContactRow| {
+    let touching = || facing.iter().copied().filter(|row| row.opening < TOUCH * start.reach);
+    let looks_alike = |row: &&ContactRow| {
         let along = |own: &[f64; 3]| (0..3).map(|k| own[k] * row.normal[k]).sum::<f64>();
         let size = |own: &[f64; 3]| own.iter().map(|part| part * part).sum::<f64>().sqrt();
         normals.get(&row.node).is_some_and(|own| along(own) > ACROSS * size(own))

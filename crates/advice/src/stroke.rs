@@ -115,11 +115,9 @@ fn estimated(start: &Start<'_>, place: usize, pair: &ContactPair, findings: &mut
         }
         if let Master::SlideLine(line) = &pair.master {
             let mut said = too_short(start, (place, pair), line, along);
+            let mut sides = std::iter::once(nearest.node).chain(line.nodes.first().copied());
             if let Some(said) = &mut said
-                && [Some(&nearest.node), line.nodes.first()]
-                    .into_iter()
-                    .flatten()
-                    .any(goes_along(start, step))
+                && sides.any(|node| goes_along(start, step, node))
             {
                 said.diagnostic.severity = Severity::Advice;
             }
@@ -130,11 +128,9 @@ fn estimated(start: &Start<'_>, place: usize, pair: &ContactPair, findings: &mut
 
 /// Whether no support holds the body of a node in a step: a roller goes along with what it touches, by how much is not
 /// known before.
-fn goes_along<'a>(start: &'a Start<'_>, step: &'a Step) -> impl Fn(&NodeIndex) -> bool + 'a {
-    move |&node| {
-        let body = start.bodies.of_node(node);
-        !step.prescribed.iter().any(|own| start.bodies.of_node(own.node) == body)
-    }
+fn goes_along(start: &Start<'_>, step: &Step, node: NodeIndex) -> bool {
+    let body = start.bodies.of_node(node);
+    !step.prescribed.iter().any(|own| start.bodies.of_node(own.node) == body)
 }
 
 /// The first increment as a fraction of its step [1].

@@ -12,8 +12,9 @@ const DEEP: f64 = 3.0;
 /// Depth beyond the mean over a slave face above which a face does not see what lies in it, in sizes of
 /// the face [1]: edges and corners make 0.1 and more, round parts on coarse meshes up to 0.085 (measured).
 const UNSEEN: f64 = 0.1;
-/// The same while the pair is open, beside the corner of an analytical surface, which has no node that holds it, or where
-/// the pair never closes [1]: a fifth, as straight sides show nothing then, and round parts with a corner elsewhere up to l/5R at a radius R.
+/// The same while the pair is open [1], beside the corner of an analytical surface, which has no node that holds it: a
+/// fifth, as straight sides show nothing then, and round parts with a corner elsewhere up to l/5R at a radius R. So much
+/// is said of any pair that never closes: whatever its parts are, they stand in one another without a force.
 const UNSEEN_AND_OPEN: f64 = 0.02;
 /// Forces of one pair that are left over, relative to their magnitudes [1]:
 /// thousands of times what rounding leaves.
@@ -199,13 +200,15 @@ impl Pair {
         )))
     }
 
-    /// SL0615: an edge or a corner in the other side, which the mean over faces does not show.
+    /// SL0615: an edge, a corner or a round in the other side, which the mean over faces does not show.
     pub fn unseen(&self) -> Option<Diagnostic> {
         let ((depth, node, increment), held) = if self.unseen.0 > UNSEEN {
             (self.unseen, "contact forces there are too small")
-        } else if self.unseen_and_open.0 > UNSEEN_AND_OPEN && self.has_corner {
+        } else if self.unseen_and_open.0 <= UNSEEN_AND_OPEN {
+            return None;
+        } else if self.has_corner {
             (self.unseen_and_open, "the pair is open")
-        } else if self.unseen_and_open.0 > UNSEEN_AND_OPEN && !self.touched {
+        } else if !self.touched {
             (self.unseen_and_open, "the pair never closes, and no force acts")
         } else {
             return None;

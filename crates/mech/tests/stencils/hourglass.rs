@@ -139,6 +139,32 @@ fn rectangles_bend_as_beams() {
     }
 }
 
+/// Requirement: a ring far from its axis bends as a plate, by E / (1 - nu^2) in both ways. Tolerance: what the curvature
+/// of the ring does, the square of its size over its radius, 1e-6, by up to the square of its proportions.
+#[test]
+fn rings_bend_as_plates() {
+    for [a, b, _] in SHAPES {
+        let radius = 1e3 * a.max(b);
+        let proportions = (a.max(b) / a.min(b)).powi(2);
+        let corners = [[-a, -b], [a, -b], [a, b], [-a, b]];
+        let nodes = corners.map(|[x, y]| [radius + x, y]);
+        for (along, height) in [(0, b), (1, a)] {
+            let mut q = [0.0; 8];
+            for (u, x) in q.chunks_exact_mut(2).zip(&corners) {
+                u[along] = x[0] * x[1];
+            }
+            let kernel = quadrilateral(&nodes, Kinematics::Axisymmetric, 0.3);
+            let energy = answer(&*kernel, &q, Strains::Linear).energy;
+            let volume = 4.0 * a * b * std::f64::consts::TAU * radius;
+            let exact = 0.5 * MODULUS / 0.91 * volume * height * height / 3.0;
+            assert!(
+                (energy - exact).abs() < 1e-6 * proportions * exact,
+                "{a} {b} {along}: {energy} {exact}"
+            );
+        }
+    }
+}
+
 /// A slender brick askew and out of shape, and a large motion of its nodes.
 fn askew() -> (Vec<[f64; 3]>, Vec<f64>) {
     let shape = |(a, at): (usize, &[f64; 3])| {

@@ -166,21 +166,14 @@ fn offers(solid: &Solid<'_>, variable: ElementVariable) -> bool {
 
 fn push_points(text: &mut String, solid: &Solid<'_>, variable: ElementVariable, axes: &[Axes]) {
     let mut values = Vec::new();
-    if !offers(solid, variable) {
-        return;
-    }
+    let Some(quantity) = Quantity::of(variable).filter(|_| offers(solid, variable)) else { return };
     for point in 0..solid.points() {
         values.clear();
-        if let Some(quantity) = Quantity::of(variable) {
-            solid.push(quantity, point, &mut values);
-        }
         // ccx tells of trusses along the axes of the model
-        match (variable, solid.block.kind.is_truss()) {
-            (ElementVariable::S, true) => values = solid.stress_in_space(point).to_vec(),
-            (ElementVariable::E, true) => {
-                values = solid.truss_strain(point).map(Vec::from).unwrap_or_default()
-            }
-            _ => {}
+        match (variable, solid.truss_strain(point)) {
+            (ElementVariable::S, Some(_)) => values.extend(solid.stress_in_space(point)),
+            (ElementVariable::E, Some(strain)) => values.extend(strain),
+            _ => solid.push(quantity, point, &mut values),
         }
         if variable == ElementVariable::ENER {
             solid.push(Quantity::Field("PENER"), point, &mut values);

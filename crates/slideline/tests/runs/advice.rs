@@ -228,3 +228,28 @@ fn strokes_along_masters_of_solids() {
         }
     }
 }
+
+/// Requirement: where no support holds a body, how far it goes along with what it touches is not known before: that its
+/// master is too short is advice (SL0408), and a warning where a support holds it. A block between a base and a plate that is
+/// drawn away above it.
+#[test]
+fn what_goes_along_is_advised() {
+    let deck = |held: &str| {
+        format!(
+            "*NODE\n1, 0., 0.\n2, 4., 0.\n3, 4., 1.\n4, 0., 1.\n11, 1., 1.\n12, 2., 1.\n13, 2., 2.\n\
+             14, 1., 2.\n21, 0., 2.\n22, 4., 2.\n23, 4., 3.\n24, 0., 3.\n*ELEMENT, TYPE=CPE4, ELSET=E\n\
+             1, 1, 2, 3, 4\n2, 11, 12, 13, 14\n3, 21, 22, 23, 24\n*SOLID SECTION, ELSET=E, MATERIAL=M\n1.\n\
+             *MATERIAL, NAME=M\n*ELASTIC\n1000., 0.3\n*SURFACE, NAME=BASE\n1, S3\n*SURFACE, NAME=FOOT\n\
+             2, S1\n*SURFACE, NAME=HEAD\n2, S3\n*SURFACE, NAME=TOP\n3, S1\n*SURFACE INTERACTION, NAME=I\n\
+             1.\n*FRICTION\n0.3\n*CONTACT PAIR, INTERACTION=I, TYPE=NODE TO SURFACE\nFOOT, BASE\n\
+             HEAD, TOP\n*STEP, NLGEOM\n*STATIC\n0.1, 1.\n*BOUNDARY\n1, 1, 2\n2, 1, 2\n{held}\
+             23, 1, 1, -5.\n24, 1, 1, -5.\n23, 2, 2, -0.01\n24, 2, 2, -0.01\n*END STEP\n"
+        )
+    };
+    for (held, severity) in [("", Severity::Advice), ("11, 1, 1\n", Severity::Warning)] {
+        let read = Job::read_text("block", &deck(held), &ReadOptions::default());
+        let all = advise(&read);
+        let said = all.iter().find(|said| said.code.0 == "SL0408").unwrap();
+        assert_eq!(said.severity, severity, "{}", said.message);
+    }
+}

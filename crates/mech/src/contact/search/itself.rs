@@ -268,12 +268,7 @@ impl Itself {
 
     /// Whether a straight part that is met beyond its end has a neighbour there.
     fn is_joined(&self, found: &Candidate) -> bool {
-        let (part, before) = (found.piece.index, found.piece.parameter < 0.5);
-        found.outside == 0.0
-            || match before {
-                true => self.is_corner(part),
-                false => self.parts.get(part + 1).is_some_and(|&next| next != Part::Gap),
-            }
+        found.outside == 0.0 || self.joined_there(found).is_some()
     }
 
     /// Whether a piece looks at the node, which is in front of it or has sunk in: not where the
@@ -294,41 +289,34 @@ impl Itself {
             return false;
         }
         let height = cross(tangent, sub(point, foot));
-        let sunk_in = |segment: usize, depth: f64| self.has_sunk_in(seat, (segment, depth));
-        let own = height >= 0.0 || sunk_in(part, found.distance);
-        own && self.joined_there(found).is_none_or(|other| match found.piece.kind {
+        let stands_free = |segment: usize, height: f64, depth: f64| {
+            height >= 0.0 || self.has_sunk_in(seat, (segment, depth))
+        };
+        if !stands_free(part, height, found.distance) {
+            return false;
+        }
+        // behind a valley a node in line with one face is inside by the other alone
+        self.joined_there(found).is_none_or(|other| match found.piece.kind {
             PieceKind::Straight => {
                 let edge = along(positions, other);
                 let height = cross(edge, sub(point, flat(positions[other]))) / size(edge);
-                height >= 0.0 || sunk_in(other, -height)
+                stands_free(other, height, -height)
             }
-            _ => height >= 0.0 || sunk_in(other, found.distance),
+            _ => stands_free(other, height, found.distance),
         })
     }
 
     /// The other segment that a piece belongs to: of a corner the first one, of a straight part that is met beyond its end
-    /// the one that joins it there. Behind a valley a node in line with one face is inside by the other alone.
+    /// the one that joins it there, if one does; one that is repeated at a seam by its own place.
     fn joined_there(&self, found: &Candidate) -> Option<usize> {
         let part = found.piece.index;
         let other = match found.piece.kind {
             PieceKind::Straight if found.outside == 0.0 => None,
-            PieceKind::Straight if found.piece.parameter > 0.5 => Some(part + 1),
+            PieceKind::Straight if found.piece.parameter >= 0.5 => Some(part + 1),
             _ => part.checked_sub(1),
         };
-        match self.parts.get(other?)? {
-            Part::Gap => None,
-            Part::Own => other,
-            Part::Repeated => self.repeats(other?),
-        }
-    }
-
-    /// The face that is repeated at a place beside the seam of a closed run.
-    fn repeats(&self, part: usize) -> Option<usize> {
-        self.spans.iter().find_map(|span| match part {
-            _ if part + 1 == span.first => Some(span.last),
-            _ if part == span.last + 1 => Some(span.first),
-            _ => None,
-        })
+        let other = other.filter(|&k| self.parts.get(k).is_some_and(|&own| own != Part::Gap))?;
+        Some(self.seats[self.numbers[other]])
     }
 
     /// Whether the node at a seat that is so deep behind a segment [L] has sunk in there: not from inside their own part;

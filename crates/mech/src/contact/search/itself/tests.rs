@@ -237,7 +237,8 @@ fn columns(heights: &[f64], width: f64, rise: f64, noise: &mut impl FnMut() -> f
     outline
 }
 
-/// Whether a place is within an outline and away from it. By the count of crossings.
+/// Whether a place is within an outline and away from it, by a hundredth of the least width: a foot on a wall is not
+/// within. By the count of crossings.
 fn is_within(outline: &[Plane], [x, y]: Plane) -> bool {
     let edges = || outline.iter().zip(outline.iter().cycle().skip(1));
     let away = |(a, b): (&Plane, &Plane)| {
@@ -301,6 +302,7 @@ fn met_in_sight(part: &Surface, nodes: &[Plane], case: usize) -> usize {
         let middle = [0.5 * (foot[0] + x), 0.5 * (foot[1] + y)];
         let way = [x - foot[0], y - foot[1]];
         let gap = (along[0] * way[1] - along[1] * way[0]) / along[0].hypot(along[1]);
+        // a gap that is much shorter than the way to the face itself is one to its line, beyond its end
         let is_near = gap < 0.3 * way[0].hypot(way[1]);
         assert!(gap >= 0.0, "{case}: node {node} overlaps {piece:?} by {gap}: {nodes:?}");
         assert!(!is_near || !is_within(nodes, middle), "{case}: {node} {piece:?} {nodes:?}");
