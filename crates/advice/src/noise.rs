@@ -6,6 +6,7 @@
 //!      +--------> t
 //! ```
 
+mod facets;
 mod pair;
 
 use crate::quadratic;
@@ -44,7 +45,7 @@ impl Noise {
     /// Ready to watch a run of the model.
     pub fn of(model: &Model) -> Self {
         let curves = model.driven().into_iter().map(|own| Curve::of(model, own)).collect();
-        let pairs = model.contact_pairs.iter().map(Pair::new).collect();
+        let pairs = model.contact_pairs.iter().map(|pair| Pair::new(model, pair)).collect();
         let own = model.contact_pairs.iter().enumerate().filter(|(_, pair)| pair.meets_itself());
         let of_own = own.filter_map(|(place, pair)| Some((place, quadratic::say(pair)?))).collect();
         Self { curves, pairs, of_own, ..Self::default() }
@@ -145,6 +146,11 @@ impl Noise {
         let carriers = carriers(frame, self.pairs.len());
         for ((pair, row), carrier) in self.pairs.iter_mut().zip(frame.pairs).zip(carriers) {
             pair.follow(frame.model, row, carrier, self.increments);
+        }
+        let energy = frame.energy.of_the_model();
+        for (place, pair) in self.pairs.iter_mut().enumerate() {
+            let own = frame.contact.iter().filter(|row| row.pair == place);
+            pair.weigh_facets(own, energy, self.increments);
         }
     }
 }

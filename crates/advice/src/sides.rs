@@ -4,6 +4,7 @@ use crate::alike::{is_drawn, look_alike};
 use crate::finding::{Finding, Place};
 use crate::start::{Start, spacing};
 use slideline_diag::{Code, Diagnostic, Span};
+use slideline_mech::surface::swept::Sweep;
 use slideline_model::{
     ContactPair, Master, MasterFaces, OwnSurface, ProfilePoint, RigidSurface, SlideLine,
     SurfaceSegment, Vocabulary,
@@ -84,8 +85,16 @@ fn say(start: &Start<'_>, pair: &ContactPair, seen: &str) -> Finding {
     if let Some((origin, help)) = of_bodies(start, pair) {
         return Finding::said(wrong_side(pair, seen).at(origin).help(help));
     }
-    let opposite =
-        || format!("give the points of {} in the opposite order", pair.vocabulary.rigid_surface());
+    let opposite = || {
+        let of = match &pair.master {
+            Master::Faces(MasterFaces { swept: Some(swept), .. }) => match swept.sweep {
+                Sweep::Around => "*SURFACE, TYPE=REVOLUTION",
+                Sweep::Along => "*SURFACE, TYPE=CYLINDER",
+            },
+            _ => pair.vocabulary.rigid_surface(),
+        };
+        format!("give the points of {of} in the opposite order")
+    };
     let (origin, help) = match &pair.master {
         Master::SlideLine(line) => (line.origin, pair.vocabulary.turn_chain().to_owned()),
         Master::RigidSurface(RigidSurface { origin, .. })

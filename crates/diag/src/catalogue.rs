@@ -248,6 +248,7 @@ catalogue! {
     "SL0623" "a *DISTRIBUTING coupling that has turned far"
     "SL0624" "a beam pulled by much of its shear stiffness"
     "SL0625" "a beam pulled by nearly its shear stiffness or more"
+    "SL0626" "rounds in one another whose straight faces are not alike"
     "SL0701" "the deck cannot be read"
     "SL0702" "results cannot be written"
     "SL0703" "the deck includes a file that is a result of the same job"

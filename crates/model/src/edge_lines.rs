@@ -8,12 +8,9 @@ use crate::friction::Friction;
 use crate::model::Model;
 use crate::node::NodeIndex;
 use crate::surface::{ContactFace, Master, MasterFaces};
-use slideline_mech::surface::mesh::{FaceMesh, MeshFace};
+use slideline_mech::surface::mesh::{FaceMesh, MeshFace, SHARP};
 use slideline_mech::vector::{dot, size, sub};
 use std::collections::{HashMap, HashSet};
-
-/// Cosine of the turn of a line of edges from which on another one begins [1]: 45 degrees.
-const SHARP: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 /// The lines of edges of a pair that may cross; `None` where one side has none, or contact is of another kind.
 pub(crate) fn crossing_edges(

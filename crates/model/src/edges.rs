@@ -18,12 +18,9 @@ use crate::left_out::LeftOut;
 use crate::model::Model;
 use crate::node::NodeIndex;
 use crate::surface::{ContactFace, Master, MasterFaces, SlideLine};
-use slideline_mech::surface::mesh::{MeshFace, smooth_groups};
+use slideline_mech::surface::mesh::{MeshFace, SHARP, smooth_groups};
 use slideline_mech::vector::{cross, dot, size, sub};
 use std::collections::{HashMap, HashSet};
-
-/// Cosine of the turn of a surface from which on an edge is sharp [1]: 45 degrees.
-const SHARP: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 impl Model {
     /// Finds the sharp edges of its pairs of solids anew.

@@ -13,11 +13,13 @@
 mod bodies;
 mod rigid_motions;
 mod ties;
+mod unopposed;
 
 use bodies::{Bodies, Term};
 use rigid_motions::{DEPENDENT, Motion, rank, rigid_motion, seen};
 use slideline_model::{Dof, Model, NodeIndex, SpringWay, Step};
 use ties::{Rows, Ties};
+pub use unopposed::{Opposing, Unopposed};
 
 /// The bodies of a model and how a step restrains them.
 pub struct Restraint {
@@ -105,43 +107,76 @@ impl Restraint {
     /// is none.
     pub fn left_to(&mut self, model: &Model, node: NodeIndex) -> Option<RigidMotion> {
         let root = self.bodies.root(node);
-        let motions = self.ties.motions(&self.ties.group(root), &self.rows, self.unknowns());
+        let motions = self.motions(root);
+        let members = self.members(model, root);
+        motions.iter().find_map(|motion| self.of_body(model, (root, &members), motion))
+    }
+
+    /// The motions that are left to the body of a root, contact aside.
+    fn motions(&self, root: NodeIndex) -> Vec<Motion> {
+        self.ties.motions(&self.ties.group(root), &self.rows, self.unknowns())
+    }
+
+    /// The nodes of the body of a root.
+    fn members(&mut self, model: &Model, root: NodeIndex) -> Vec<NodeIndex> {
+        (0..model.nodes.len()).filter(|&other| self.bodies.root(other) == root).collect()
+    }
+
+    /// The node of a body that a motion moves most, with its way per part of the motion; `None` where none moves.
+    fn farthest(
+        &self,
+        model: &Model,
+        (root, members): (NodeIndex, &[NodeIndex]),
+        motion: &Motion,
+    ) -> Option<(NodeIndex, [f64; 3])> {
         let size = if self.size > 0.0 { self.size } else { 1.0 };
         let origin = model.nodes.position(root);
-        let members: Vec<NodeIndex> =
-            (0..model.nodes.len()).filter(|&other| self.bodies.root(other) == root).collect();
-        let moved = |motion: &Motion, node: NodeIndex| -> [f64; 3] {
+        let moved = |node: NodeIndex| -> [f64; 3] {
             let at = model.nodes.position(node);
             let arm = std::array::from_fn(|axis| (at[axis] - origin[axis]) / size);
             [Dof::U1, Dof::U2, Dof::U3]
                 .map(|dof| rigid_motion(dof, arm).iter().zip(motion).map(|(a, b)| a * b).sum())
         };
-        let length = |way: [f64; 3]| way.iter().fold(0.0_f64, |sum, x| sum.hypot(*x));
-        motions.into_iter().find_map(|motion| {
-            let far = |node: &NodeIndex| length(moved(&motion, *node));
-            let node = members.iter().copied().max_by(|a, b| far(a).total_cmp(&far(b)))?;
-            let most = far(&node);
-            let way = moved(&motion, node).map(|x| x / most);
-            let turn = std::array::from_fn(|axis| motion[3 + axis] / (size * most));
-            (most > DEPENDENT).then_some(RigidMotion { node, way, turn })
-        })
+        let far = |node: &NodeIndex| length(moved(*node));
+        let node = members.iter().copied().max_by(|a, b| far(a).total_cmp(&far(b)))?;
+        (far(&node) > DEPENDENT).then(|| (node, moved(node)))
+    }
+
+    /// A motion as that of the node of the body that moves most.
+    fn of_body(
+        &self,
+        model: &Model,
+        body: (NodeIndex, &[NodeIndex]),
+        motion: &Motion,
+    ) -> Option<RigidMotion> {
+        let size = if self.size > 0.0 { self.size } else { 1.0 };
+        let (node, moved) = self.farthest(model, body, motion)?;
+        let most = length(moved);
+        let way = moved.map(|x| x / most);
+        let turn = std::array::from_fn(|axis| motion[3 + axis] / (size * most));
+        Some(RigidMotion { node, way, turn })
+    }
+
+    /// The roots of all bodies.
+    fn roots(&mut self) -> Vec<NodeIndex> {
+        let mut roots: Vec<NodeIndex> = self.bodies.used.clone();
+        roots.iter_mut().for_each(|node| *node = self.bodies.root(*node));
+        roots.sort_unstable();
+        roots.dedup();
+        roots
     }
 
     /// A rigid motion that is left to some body; `None`: all are held.
     pub fn left(&mut self, model: &Model) -> Option<RigidMotion> {
-        let mut roots: Vec<NodeIndex> = self.bodies.used.clone();
-        roots.iter_mut().for_each(|node| *node = self.bodies.root(*node));
-        roots.sort_unstable();
-        roots.dedup();
-        roots.into_iter().find_map(|root| self.left_to(model, root))
+        self.roots().into_iter().find_map(|root| self.left_to(model, root))
     }
 
     /// Whether some body keeps a rigid motion.
     pub fn has_loose_body(&mut self) -> bool {
-        let mut roots: Vec<NodeIndex> = self.bodies.used.clone();
-        roots.iter_mut().for_each(|node| *node = self.bodies.root(*node));
-        roots.sort_unstable();
-        roots.dedup();
-        roots.into_iter().any(|root| !self.holds(root))
+        self.roots().into_iter().any(|root| !self.holds(root))
     }
+}
+
+fn length(way: [f64; 3]) -> f64 {
+    way.iter().fold(0.0_f64, |sum, x| sum.hypot(*x))
 }

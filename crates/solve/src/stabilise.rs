@@ -15,10 +15,10 @@
 use crate::constraints::Rows;
 use crate::contact::{Contact, ContactKinematics, MasterPositions, PointRows};
 use crate::problem::Problem;
-use crate::restraint::Restraint;
-use crate::state::State;
+use crate::restraint::{Opposing, Restraint, Unopposed};
+use crate::state::{PointState, State};
 use slideline_mech::contact::tangential::Tangential;
-use slideline_model::{Model, Stabilisation};
+use slideline_model::{Model, NodeIndex, Stabilisation};
 
 /// Stiffness of all dashpots of a pair, walked in one increment as long as
 /// the step, in stiffnesses EA/l of the stiffest element [1]. Bending is
@@ -190,6 +190,37 @@ pub fn would_hold(plan: &Problem<'_>, committed: &State, mode: &[f64]) -> bool {
         holds = true;
     }
     holds
+}
+
+/// A rigid motion of a body that neither supports nor contact oppose: contact without friction presses on it, or is open.
+/// `now`: the points of an attempt that found no equilibrium.
+pub fn unopposed(plan: &Problem<'_>, committed: &State, now: &[PointState]) -> Option<Unopposed> {
+    let (u, mut kinematics) = (&committed.displacement, plan.contact.nowhere());
+    plan.contact.stand(u, &mut MasterPositions::default(), &mut kinematics);
+    let opposing = |(place, (before, now)): (usize, (&PointState, &PointState))| {
+        let own = kinematics.at(place);
+        let presses = before.closed || now.closed;
+        if !own.faces && !presses {
+            return None;
+        }
+        let terms = own.rows.unknowns.iter().zip(own.rows.normal()).map(|(&dof, &factor)| {
+            let (node, way) = plan.dofs.name(dof);
+            (node, way, factor)
+        });
+        let pair = plan.contact.parent(plan.contact.points[place].pair);
+        let rubs = plan.contact.laws_of(pair, before).has_friction();
+        Some(Opposing { terms: terms.collect(), presses, rubs })
+    };
+    let states = committed.points.iter().zip(now).enumerate();
+    let points: Vec<Opposing> = states.filter_map(opposing).collect();
+    if points.is_empty() {
+        return None;
+    }
+    let place = |node: NodeIndex| {
+        let (from, moved) = (plan.model.nodes.position(node), plan.dofs.translation(u, node));
+        std::array::from_fn(|axis| from[axis] + moved[axis])
+    };
+    Restraint::of(plan.model, plan.step).unopposed(plan.model, &points, place)
 }
 
 /// Whether a motion closes, opens or slides a point.

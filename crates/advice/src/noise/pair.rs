@@ -1,9 +1,11 @@
 //! What one pair does over a run, and what that asks to be said.
 
+use super::facets::Facets;
+use crate::start::spacing;
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_measures::PairNoise;
 use slideline_model::{ContactPair, Formulation, Master, Model, NodeIndex, NormalLaw, Vocabulary};
-use slideline_solve::observe::PairRow;
+use slideline_solve::observe::{ContactRow, PairRow};
 use std::collections::BTreeSet;
 use std::ops::Range;
 
@@ -16,6 +18,9 @@ const UNSEEN: f64 = 0.1;
 /// fifth, as straight sides show nothing then, and round parts with a corner elsewhere up to l/5R at a radius R. So much
 /// is said of any pair that never closes: whatever its parts are, they stand in one another without a force.
 const UNSEEN_AND_OPEN: f64 = 0.02;
+/// Part of the way by which the parts have come together that they may have gone into one another while the pair was
+/// open [1]: forces are off by about that.
+const LATE: f64 = 0.1;
 /// Forces of one pair that are left over, relative to their magnitudes [1]:
 /// thousands of times what rounding leaves.
 const UNBALANCED: f64 = 1e-9;
@@ -27,6 +32,20 @@ const FALLS: f64 = 0.4;
 
 /// What smoothing may take off the corners of a master, over the same way [1]: forces are off by about that.
 const SMOOTHED: f64 = 0.1;
+
+/// Part of the force of a pair that straight faces in the place of rounds may make [1].
+const FACETS: f64 = 0.05;
+
+/// What straight faces make of the force of a pair of rounds where it carries most.
+#[derive(Clone, Copy, Debug, Default)]
+struct Straightened {
+    force: f64,
+    /// How much deeper they stand in one another than the rounds [L].
+    deeper: f64,
+    /// The way by which the parts have come together [L].
+    approach: f64,
+    increment: usize,
+}
 
 /// A pair where it carries most.
 #[derive(Clone, Copy, Debug, Default)]
@@ -60,8 +79,13 @@ pub(super) struct Pair {
     has_corner: bool,
     /// The same depth of increments in which the pair is open.
     unseen_and_open: (f64, u64, usize),
+    /// Typical size of its slave faces [L].
+    face: f64,
     /// Where it carries most.
     largest: Largest,
+    /// Of rounds in one another that are drawn with straight faces.
+    facets: Option<Facets>,
+    straightened: Straightened,
     /// The node that carries most in each increment, where one touches.
     pub carriers: Vec<Option<NodeIndex>>,
     /// Largest imbalance of forces and of moments, and its increment.
@@ -69,7 +93,7 @@ pub(super) struct Pair {
 }
 
 impl Pair {
-    pub fn new(pair: &ContactPair) -> Self {
+    pub fn new(model: &Model, pair: &ContactPair) -> Self {
         let clearance = match pair.interaction.normal {
             NormalLaw::Exponential { clearance, .. }
             | NormalLaw::CalculixExponential { clearance, .. } => Some(clearance),
@@ -90,7 +114,10 @@ impl Pair {
             unseen: (0.0, 0, 0),
             has_corner: has_corner(&pair.master),
             unseen_and_open: (0.0, 0, 0),
+            face: spacing(model, pair),
             largest: Largest::default(),
+            facets: Facets::of(model, pair),
+            straightened: Straightened::default(),
             carriers: Vec::new(),
             imbalance: [(0.0, 0); 2],
         }
@@ -136,6 +163,22 @@ impl Pair {
         }
     }
 
+    /// Holds what straight faces add to the rounds of the pair against an energy of the model [F L], where the pair
+    /// carries most.
+    pub fn weigh_facets<'a>(
+        &mut self,
+        rows: impl Iterator<Item = &'a ContactRow>,
+        energy: f64,
+        increment: usize,
+    ) {
+        let Some(facets) = &self.facets else { return };
+        let (force, deeper) = facets.weigh(rows);
+        if force > self.straightened.force {
+            let approach = 2.0 * energy.max(0.0) / force;
+            self.straightened = Straightened { force, deeper, approach, increment };
+        }
+    }
+
     pub fn noise(&self, increments: usize) -> PairNoise {
         PairNoise {
             name: self.name.clone(),
@@ -157,6 +200,7 @@ impl Pair {
             self.unseen(),
             self.too_wide(),
             self.smoothed(),
+            self.straight(),
         ];
         said.into_iter().flatten().collect()
     }
@@ -210,6 +254,10 @@ impl Pair {
             (self.unseen_and_open, "the pair is open")
         } else if !self.touched {
             (self.unseen_and_open, "the pair never closes, and no force acts")
+        } else if self.unseen_and_open.0 * self.face > LATE * self.largest.approach
+            && self.largest.approach > 0.0
+        {
+            (self.unseen_and_open, "the pair is open: it closes late")
         } else {
             return None;
         };
@@ -240,6 +288,36 @@ impl Pair {
         );
         Some(Diagnostic::warning(Code("SL0621"), message).at(self.origin).help(
             "make the slave elements where they meet shorter until the forces stay, or round the edge of the master",
+        ))
+    }
+
+    /// SL0626: rounds in one another whose straight faces are not alike.
+    fn straight(&self) -> Option<Diagnostic> {
+        let Straightened { deeper, approach, increment, .. } = self.straightened;
+        let of_rounds = approach - deeper;
+        if deeper.abs() <= FACETS * of_rounds.abs() {
+            return None;
+        }
+        let (sense, what) = if deeper > 0.0 {
+            ("deeper in one another", "large")
+        } else {
+            ("less deep in one another", "small")
+        };
+        let effect = if of_rounds > 0.0 {
+            format!("forces are about {:.0} % too {what}", 100.0 * deeper.abs() / of_rounds)
+        } else {
+            "there would be no force without them".to_owned()
+        };
+        let message = format!(
+            "the rounds of {} have straight faces, longer on one side than on the other: where it carries most, in increment \
+             {increment}, these stand {:.3e} {sense} than the rounds, and the parts have come together by {approach:.3e}: \
+             {effect}",
+            self.name,
+            deeper.abs(),
+        );
+        Some(Diagnostic::warning(Code("SL0626"), message).at(self.origin).help(
+            "divide both rounds into as many faces, make the elements shorter or give them middle nodes, or let contact be at \
+             the nodes (NODE TO SURFACE), which draws the master round",
         ))
     }
 
@@ -298,7 +376,10 @@ impl Pair {
             unseen: (0.0, 0, 0),
             has_corner: true,
             unseen_and_open: (0.0, 0, 0),
+            face: 1.0,
             largest: Largest::default(),
+            facets: None,
+            straightened: Straightened::default(),
             carriers: Vec::new(),
             imbalance: [(0.0, 0); 2],
         }

@@ -9,6 +9,7 @@
 use std::collections::HashMap;
 
 use slideline_diag::{Code, Diagnostic};
+use slideline_mech::surface::mesh::SHARP;
 use slideline_model::{ContactElement, ContactFace, Master, MasterFaces, NodeIndex};
 
 use super::chain::Facet;
@@ -17,9 +18,6 @@ use super::sides::{Parts, Sides, Slaves, refuse};
 use super::surfaces::{Found, between_nodes};
 use crate::draft::Draft;
 use crate::surfaces::Pairing;
-
-/// Turn of a surface from which on its faces are apart: 45 degrees, as of masters in space.
-const SHARP: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 /// Contact spread over the faces of the slave.
 pub(super) fn spread(

@@ -220,7 +220,7 @@ pub(super) const GROUPS: &[Group] = &[
     ),
     (
         Unsupported,
-        "leave it out knowingly: there are no temperatures or other fields here",
+        "leave it out knowingly: temperatures are given (*TEMPERATURE), and other fields are not here",
         &[
             "FILM",
             "FILM PROPERTY",
@@ -248,8 +248,12 @@ pub(super) const GROUPS: &[Group] = &[
             "DEFINE BOUNDARY",
             "SPECIFIC GAS CONSTANT",
             "TURBULENCE MODEL",
-            "PRESSURE PENETRATION",
         ],
+    ),
+    (
+        Unsupported,
+        "give the pressure of the fluid with *DSLOAD on the faces that it reaches",
+        &["PRESSURE PENETRATION"],
     ),
     (
         Unsupported,

@@ -4,7 +4,7 @@
 //!    o-----o-----o
 //!    |  f  |  g  |     across an edge: the neighbour
 //!    o-----*-----o     round a node: the star, whose mean normal smooths both faces
-//!    |     |     |     an edge sharper than CREASE stays one: stars end there
+//!    |     |     |     an edge that is SHARP stays one: stars end there
 //!    o-----o-----o
 //! ```
 //!
@@ -12,7 +12,7 @@
 //! the four markers of its body.
 
 use super::axes::{Bearing, axis, bearing_of_axis};
-pub use super::edges::{MeshFace, area_between, is_crease, nodes_at_ends, surface_ends};
+pub use super::edges::{MeshFace, SHARP, area_between, is_crease, nodes_at_ends, surface_ends};
 use super::edges::{area, edge, ends, faces_around, middle, neighbours, normal};
 use super::meridian::SweptPlace;
 use super::mirror::Mirror;

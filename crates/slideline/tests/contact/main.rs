@@ -51,6 +51,7 @@ mod snapping_arches;
 mod solid_contact;
 mod space_decks;
 mod stacks;
+mod straight_rounds;
 mod strip;
 mod strip_reference;
 mod supported_slaves;

@@ -215,7 +215,7 @@ impl Scratch {
     /// Overclosure that the structure would answer with the residual allowed,
     /// or that rounding leaves [L].
     pub(super) fn contact_tolerance(&self, plan: &Problem<'_>, allowed: f64) -> f64 {
-        let rounding = self.position_rounding(plan);
+        let rounding = self.position_rounding(plan).max(4.0 * f64::EPSILON * self.contact.freed());
         let stiffest = plan.structure.stiffest;
         let by_force = if stiffest > 0.0 { allowed / stiffest } else { 0.0 };
         by_force.max(rounding)

@@ -48,15 +48,16 @@ pub fn named_motion(model: &Model, node: NodeIndex, dof: Dof, arm: [f64; 3]) -> 
     row
 }
 
-/// Motions along some of the unknowns that rows of a width do not hinder: a base of all of them.
+/// Motions along some of the unknowns that rows of a width do not hinder, but for parts of the largest entry below
+/// `least`: a base of all of them.
 pub fn null_motions(
-    mut rows: Vec<f64>,
-    width: usize,
+    (mut rows, width): (Vec<f64>, usize),
     unknowns: impl Iterator<Item = usize>,
+    least: f64,
 ) -> Vec<Vec<f64>> {
     let scale = rows.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
     let mut pivots = Vec::with_capacity(width);
-    reduce_rows(&mut rows, width, DEPENDENT * scale, &mut pivots);
+    reduce_rows(&mut rows, width, least * scale, &mut pivots);
     let free = unknowns.filter(|column| !pivots.contains(column));
     let motion = |column: usize| {
         let mut motion = vec![0.0; width];
@@ -104,7 +105,8 @@ mod tests {
     /// that line; clamps leave nothing.
     #[test]
     fn hinges_leave_a_turn() {
-        let left = |rows: &[Motion]| null_motions(rows.as_flattened().to_vec(), 6, 0..6);
+        let left =
+            |rows: &[Motion]| null_motions((rows.as_flattened().to_vec(), 6), 0..6, DEPENDENT);
         let hinge = |x| [Dof::U1, Dof::U2, Dof::U3].map(|dof| rigid_motion(dof, [x, 0.5, 0.25]));
         let turns = left(&[hinge(0.0), hinge(1.0)].concat());
         assert_eq!(turns.len(), 1);

@@ -86,7 +86,7 @@ impl Ties {
         }
         let columns =
             (0..group.len()).flat_map(|place| unknowns.iter().map(move |own| 6 * place + own));
-        let motions = null_motions(all, width, columns);
+        let motions = null_motions((all, width), columns, DEPENDENT);
         let of_first = motions.into_iter().map(|motion| std::array::from_fn(|k| motion[k]));
         of_first.filter(|own: &Motion| own.iter().any(|part| part.abs() > DEPENDENT)).collect()
     }

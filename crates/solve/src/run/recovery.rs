@@ -22,38 +22,46 @@ use crate::state::State;
 use crate::target::Target;
 use slideline_diag::{Code, Diagnostic};
 use slideline_linalg::SolveError;
+use slideline_model::NodeIndex;
 
 /// Energy of stabilisation, as a part of all energy, from which on it is told.
 const MUCH: f64 = 0.05;
 
+/// The attempt at an increment from which on what is not held is taken for the cause: shorter ones did not help.
+const LATER: usize = 2;
+
+/// What is said of a body that nothing presses yet.
+const UNPRESSED: &str = "is supported only by contact that is open or presses nothing yet";
+
+/// Turn of a motion, over the size of the model, from which on a body turns, and part of it along an axis that counts [1].
+const TURNS: f64 = 1e-3;
+
 impl Analysis<'_> {
-    /// Stabilises contact where a body that only open contact would hold has
-    /// made the tangent singular; says whether it did.
+    /// Stabilises contact where a body that only open contact would hold has made the tangent singular, or where what
+    /// presses leaves a body a motion, and no shorter increment helped; says whether it did.
     pub(super) fn stabilise(
         &mut self,
         plan: &Problem<'_>,
-        outcome: &Outcome,
+        (target, outcome): (&Target, &Outcome),
         work: &Scratch,
     ) -> Result<bool, Left> {
-        let Some(SolveError::Singular { equation, .. }) = outcome.fault else { return Ok(false) };
         if stabilise::settings(plan, self.committed).is_some() {
             return Ok(false);
         }
-        let mode = work.null_mode(plan, equation);
-        let Some(mode) = mode else { return Ok(false) };
-        if !stabilise::would_hold(plan, self.committed, &mode) {
-            return Ok(false);
-        }
-        let (node, _) = plan.dofs.name(plan.constraints.dof_of_equation[equation]);
-        let heaviest = work.moves_most(plan, &mode).unwrap_or(node);
-        if Restraint::of(plan.model, plan.step).holds(heaviest) {
-            return Ok(false);
-        }
+        let found = match outcome.fault {
+            Some(SolveError::Singular { equation, .. }) => self.loose(plan, equation, work),
+            None if target.attempt >= LATER
+                && !matches!(outcome.verdict, Verdict::Converged { .. }) =>
+            {
+                self.unopposed(plan, work)
+            }
+            _ => None,
+        };
+        let Some((node, what)) = found else { return Ok(false) };
         self.committed.stabilised = true;
         let message = format!(
-            "the body of node {} is supported only by contact that is open or presses nothing yet: \
-             contact is stabilised from total time {:.6} on, by tractions that fade to zero at the end of \
-             the step",
+            "the body of node {} {what}: contact is stabilised from total time {:.6} on, by tractions that fade to zero \
+             at the end of the step",
             plan.model.nodes.name(node),
             self.committed.total_time
         );
@@ -65,6 +73,44 @@ impl Analysis<'_> {
             );
         self.tell(Event::Diagnosed(&said))?;
         Ok(true)
+    }
+
+    /// A body that only open contact would hold, given the equation at which the tangent is singular.
+    fn loose(
+        &self,
+        plan: &Problem<'_>,
+        equation: usize,
+        work: &Scratch,
+    ) -> Option<(NodeIndex, String)> {
+        let mode = work.null_mode(plan, equation)?;
+        if !stabilise::would_hold(plan, self.committed, &mode) {
+            return None;
+        }
+        let (node, _) = plan.dofs.name(plan.constraints.dof_of_equation[equation]);
+        let heaviest = work.moves_most(plan, &mode).unwrap_or(node);
+        let is_held = Restraint::of(plan.model, plan.step).holds(heaviest);
+        (!is_held).then(|| (node, UNPRESSED.to_owned()))
+    }
+
+    /// A body to which contact without friction leaves a motion.
+    fn unopposed(&self, plan: &Problem<'_>, work: &Scratch) -> Option<(NodeIndex, String)> {
+        let found = stabilise::unopposed(plan, self.committed, &work.evaluation.points)?;
+        let (motion, is_pressed) = (found.motion, found.is_pressed);
+        if !is_pressed {
+            return Some((motion.node, UNPRESSED.to_owned()));
+        }
+        let turns = plan.reach * motion.turn.iter().fold(0.0_f64, |sum, x| sum.hypot(*x)) > TURNS;
+        // no minus before nothing
+        let [x, y, z] = motion.way.map(|own| if own.abs() < TURNS { 0.0 } else { own });
+        let how = match (turns, plan.model.is_in_space()) {
+            (true, _) => "turn".to_owned(),
+            (false, true) => format!("slide along ({x:.3}, {y:.3}, {z:.3})"),
+            (false, false) => format!("slide along ({x:.3}, {y:.3})"),
+        };
+        Some((
+            motion.node,
+            format!("can {how}, which neither supports nor contact without friction oppose"),
+        ))
     }
 
     /// Says so where stabilisation took much of the energy until now.

@@ -189,7 +189,7 @@ impl Analysis<'_> {
                 work.take_back(outcome);
                 return Ok(Some(control));
             }
-            if self.stabilise(plan, &outcome, work)? {
+            if self.stabilise(plan, (&target, &outcome), work)? {
                 continue;
             }
             let mut decision = self.decide(plan, (&control, &target), &mut outcome, work);

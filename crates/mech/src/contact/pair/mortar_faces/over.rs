@@ -31,12 +31,7 @@ impl<R: Real> Couple<'_, R> {
             return unmoved(at);
         }
         let piece = pieces(self.slave.count)[overlap.piece];
-        let is_at_end = |edge: usize| {
-            let ends = [piece[edge], piece[(edge + 1) % piece.len()]];
-            let own = edge_between(self.slave.count, ends[0], ends[1]);
-            own.is_some_and(|edge| self.ends.slave.edges[edge])
-        };
-        let edges = (0..piece.len()).filter(|&edge| is_at_end(edge));
+        let edges = (0..piece.len()).filter(|&edge| self.is_at_end(piece, edge));
         edges.fold(unmoved(at), |(at, by), edge| {
             let (at, more) = match piece.len() {
                 3 => on_triangle(edge, at),
@@ -59,12 +54,14 @@ impl<R: Real> Couple<'_, R> {
             return (along, one);
         }
         let piece = pieces(self.slave.count)[overlap.piece];
-        let nodes = [piece[edge], piece[(edge + 1) % piece.len()]];
-        let own = edge_between(self.slave.count, nodes[0], nodes[1]);
-        if own.is_some_and(|edge| self.ends.slave.edges[edge]) {
-            return (along, one);
-        }
-        let [first, second] = nodes.map(|node| self.ends.slave.nodes[node]);
+        let count = piece.len();
+        let is_at_end = |edge: usize| self.is_at_end(piece, edge % count);
+        // what runs along an end leaves those that meet it at its corners alone
+        let [first, second] = if is_at_end(edge) {
+            [is_at_end(edge + count - 1), is_at_end(edge + 1)]
+        } else {
+            [edge, (edge + 1) % count].map(|place| self.ends.slave.nodes[piece[place]])
+        };
         let from = |distance: R, is_end: bool| blunt(distance).filter(|_| is_end);
         if let Some(moved) = from(along, first) {
             moved
@@ -73,6 +70,13 @@ impl<R: Real> Couple<'_, R> {
         } else {
             (along, one)
         }
+    }
+
+    /// Whether an edge of a piece of the slave, given its nodes, is one at which its surface ends.
+    fn is_at_end(&self, piece: &[usize], edge: usize) -> bool {
+        let ends = [piece[edge], piece[(edge + 1) % piece.len()]];
+        let own = edge_between(self.slave.count, ends[0], ends[1]);
+        own.is_some_and(|edge| self.ends.slave.edges[edge])
     }
 
     /// Whether a corner is where the surface of the master ends, and that of the slave near.

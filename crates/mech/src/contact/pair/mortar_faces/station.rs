@@ -175,9 +175,11 @@ pub(super) fn meet<R: Real>(
 }
 
 fn meet_by_value(face: &FacePlaces<f64>, from: Place<f64>, normal: Place<f64>) -> Option<[f64; 2]> {
+    // seen from where it begins: rounding of places far from the origin would keep the last steps from vanishing
+    let (face, origin) = (&face.seen_from(from), [0.0; 3]);
     let mut at = middle(face.count);
     for _ in 0..MOST_STEPS {
-        let (across, by) = step(face, from, normal, at);
+        let (across, by) = step(face, origin, normal, at);
         if across == 0.0 || !by[0].is_finite() || !by[1].is_finite() {
             return None;
         }

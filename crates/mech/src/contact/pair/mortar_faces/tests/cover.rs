@@ -102,3 +102,36 @@ fn what_is_seen_through_a_part_is_not_met() {
     // what is in front is met however thin both are
     assert_eq!(covered(-0.4, [0.1, 0.1]), 1);
 }
+
+/// Requirement: surfaces that end together, to less than a hundredth of a piece, cover one another whole, along one end
+/// and where two of them meet.
+#[test]
+fn surfaces_that_end_together_cover_one_another_whole() {
+    let mut random = Random(5);
+    for nodes in [3, 4, 6, 8] {
+        let slave = face(nodes, [0.0; 3], 0.0, false, &mut random);
+        let measure = reference_areas(&slave);
+        let ends = Ends { slave: ALL_ENDS, master: ALL_ENDS };
+        let whole: f64 = slave.corner_areas(&measure)[..corners(nodes)].iter().sum();
+        let lows = (0..2).map(|axis| slave.nodes[..nodes].iter().map(move |at| at[axis]));
+        let lows: Vec<f64> = lows.map(|all| all.fold(f64::INFINITY, f64::min)).collect();
+        for within in [0.0, 1e-9, 1e-4, 4e-3] {
+            // beyond the other ends it goes on
+            for sides in [[true, false], [false, true], [true, true]] {
+                let mut master = face(4, [0.0, 0.0, 0.1], 0.0, true, &mut random);
+                for node in &mut master.nodes[..4] {
+                    for axis in 0..2 {
+                        let low = lows[axis] + if sides[axis] { within } else { -1.0 };
+                        node[axis] = if node[axis] < 0.5 * (lows[axis] + 1.0) { low } else { 3.0 };
+                    }
+                }
+                let case = Case { slave, master, measure, ends };
+                let covered: f64 = case.sums(&case.overlaps()).areas.iter().sum();
+                assert!(
+                    (covered - whole).abs() < 1e-12 * whole,
+                    "{nodes} {within} {sides:?}: {covered}"
+                );
+            }
+        }
+    }
+}
