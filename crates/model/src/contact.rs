@@ -125,6 +125,11 @@ impl ContactPair {
         }
     }
 
+    /// Its master where nodes of the slave meet it.
+    pub fn met_at_nodes(&self) -> Option<&Master> {
+        (self.formulation == Formulation::NodeToSurface).then_some(&self.master)
+    }
+
     /// Its faces as those of a mesh, over the nodes of the model.
     pub fn mesh_faces(&self) -> Vec<MeshFace> {
         self.faces.iter().filter_map(ContactFace::of_mesh).collect()

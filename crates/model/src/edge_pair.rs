@@ -21,6 +21,11 @@ pub struct EdgePair {
 }
 
 impl EdgePair {
+    /// What they meet where it goes on beyond planes of symmetry: faces of space.
+    pub fn met_in_space(&self) -> Option<&Master> {
+        matches!(self.met, Master::Faces(_)).then_some(&self.met)
+    }
+
     /// The faces of the surface of its pair that its nodes belong to, by their corners: in the plane with the material on
     /// the left, in space counter-clockwise as seen from outside.
     pub fn own_faces(&self, pair: &ContactPair) -> Vec<Vec<NodeIndex>> {

@@ -201,3 +201,32 @@ fn runs(elements: &[ContactElement]) -> Vec<Vec<NodeIndex>> {
     }
     found
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Requirement: a line that turns by 45 degrees is sharp wherever it stands and however it is turned; one that turns
+    /// by 44 is not.
+    #[test]
+    fn chamfers_of_45_degrees_are_sharp() {
+        for (degrees, is_sharp) in [(45.0, true), (44.0, false)] {
+            for (away, turn) in [(0.0, 0.0), (64.0, 0.3), (1e4, 1.1), (-333.3, 2.0), (0.1, 5.0)] {
+                let at = |node: NodeIndex| {
+                    let (long, turned): (f64, f64) = if node == 2 {
+                        (0.7, turn + f64::to_radians(degrees))
+                    } else {
+                        (1.3, turn)
+                    };
+                    let way = if node == 0 { 0.0 } else { long };
+                    let corner =
+                        if node == 2 { [1.3 * turn.cos(), 1.3 * turn.sin()] } else { [0.0; 2] };
+                    let [x, y] = corner;
+                    [away + x + way * turned.cos(), y - away + way * turned.sin(), 0.0]
+                };
+                let found = sharp_nodes(&[0, 1, 2], 1.0, at);
+                assert_eq!(found == [1], is_sharp, "{degrees} {away} {turn}");
+            }
+        }
+    }
+}

@@ -8,7 +8,6 @@
 //!
 //! docs/theory.md section 5.3.
 
-use crate::contact::{ContactPair, Formulation};
 use crate::element::block::{Element, ElementBlock};
 use crate::model::Model;
 use crate::node::{Dof, NodeIndex, RigidLink};
@@ -65,17 +64,18 @@ struct Held<'a> {
 }
 
 impl Model {
-    /// The planes of symmetry beyond which the masters of pairs go on as their images: those in which a line of nodes ends, or
-    /// smoothed faces do, whose contact is sampled at nodes. None at all where no element has a side.
+    /// The planes of symmetry beyond which what nodes meet goes on as its image: those in which a line of nodes ends, or
+    /// smoothed faces do; `None` for what nodes do not meet. None at all where no element has a side.
     pub fn planes_beyond<'p>(
         &self,
-        pairs: impl ExactSizeIterator<Item = &'p ContactPair>,
+        masters: impl Iterator<Item = Option<&'p Master>>,
     ) -> Vec<Vec<SymmetryPlane>> {
         if !self.blocks.iter().any(|block| block.kind.joins() && !block.kind.cell.faces.is_empty())
         {
             return Vec::new();
         }
-        let ends: Vec<Vec<NodeIndex>> = pairs.map(ends_of_master).collect();
+        let ends: Vec<Vec<NodeIndex>> =
+            masters.map(|own| own.map_or_else(Vec::new, ends_of)).collect();
         if ends.iter().all(Vec::is_empty) {
             return vec![Vec::new(); ends.len()];
         }
@@ -84,10 +84,9 @@ impl Model {
     }
 }
 
-/// The nodes of the master of a pair that may lie in a plane beyond which it goes on.
-fn ends_of_master(pair: &ContactPair) -> Vec<NodeIndex> {
-    match &pair.master {
-        _ if pair.formulation != Formulation::NodeToSurface => Vec::new(),
+/// The nodes of a master that may lie in a plane beyond which it goes on.
+fn ends_of(master: &Master) -> Vec<NodeIndex> {
+    match master {
         Master::SlideLine(line) if !line.is_ring() => {
             [line.nodes.first(), line.nodes.last()].into_iter().flatten().copied().collect()
         }

@@ -14,6 +14,10 @@ use slideline_model::{ContactPair, Formulation, Lumping, Master, Model, NodeInde
 use slideline_solve::observe::ContactRow;
 use std::collections::HashMap;
 
+/// Part of the size of faces by which what they are chords of stands out of them below which they count as flat [1]: they
+/// turn by less than a hundredth then.
+const FLAT: f64 = 1e-3;
+
 /// How much deeper the faces of both sides stand in one another than the rounds that they are chords of.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Facets {
@@ -136,7 +140,8 @@ fn bulge<'a>(at: Vector, faces: impl Iterator<Item = Face<'a>> + Clone) -> Bulge
         return Bulge { out: 0.0, wide };
     }
     let out: f64 = faces.map(|own| dot(sub(at, own.middle), normal)).sum();
-    Bulge { out: out / (3.0 * count), wide }
+    let out = out / (3.0 * count);
+    Bulge { out: if out.abs() > FLAT * wide { out } else { 0.0 }, wide }
 }
 
 impl<'a> Face<'a> {

@@ -304,7 +304,10 @@ impl Pair {
             ("less deep in one another", "small")
         };
         let effect = if of_rounds > 0.0 {
-            format!("forces are about {:.0} % too {what}", 100.0 * deeper.abs() / of_rounds)
+            format!(
+                "what they press with for a given overlap is about {:.0} % too {what}",
+                100.0 * deeper.abs() / of_rounds
+            )
         } else {
             "there would be no force without them".to_owned()
         };

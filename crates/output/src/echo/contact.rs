@@ -29,7 +29,7 @@ pub fn pair_echo(model: &Model, pair: &ContactPair) -> String {
         }
     }
     line!(text, "  master   {}", master(model, &pair.master));
-    for plane in model.planes_beyond(std::iter::once(pair)).into_iter().flatten() {
+    for plane in model.planes_beyond(std::iter::once(pair.met_at_nodes())).into_iter().flatten() {
         let [x, y, z] = plane.normal.map(number);
         line!(
             text,

@@ -268,7 +268,7 @@ fn a_quarter_of_a_model_has_a_quarter_of_its_force() {
 fn planes(half: &Cut, held: &str) -> usize {
     let read = Job::read_text("half", &half.deck(held), &ReadOptions::default());
     let model = read.model.unwrap();
-    model.planes_beyond(model.contact_pairs.iter())[0].len()
+    model.planes_beyond(model.contact_pairs.iter().map(|pair| pair.met_at_nodes()))[0].len()
 }
 
 /// Requirement: a plane is one of symmetry where all nodes in it are held across it and not all of them along it, by
@@ -301,7 +301,7 @@ fn what_ends_there_is_asked_itself() {
     assert_eq!(planes(&half, &clamped("")), 0, "the rim itself");
     let found = |deck: &str| {
         let model = Job::read_text("half", deck, &ReadOptions::default()).model.unwrap();
-        model.planes_beyond(model.contact_pairs.iter())[0].len()
+        model.planes_beyond(model.contact_pairs.iter().map(|pair| pair.met_at_nodes()))[0].len()
     };
     let deck = half.deck("X0, 1, 1\n");
     assert_eq!(found(&deck), 1);

@@ -38,4 +38,5 @@ mod temperatures;
 mod tractions;
 mod transform;
 mod turned_means;
+mod unopposed;
 mod wide_ties;

@@ -3,7 +3,8 @@
 //! Source: docs/theory.md, section 8.12; the issue. Requirement: the end of a
 //! step does not depend on it, its tractions are c phi dh/dt, its tangent is
 //! exact, its energy is accounted for, and it is used unasked only where a
-//! body that open contact will hold makes the equations singular.
+//! body that open contact will hold makes the equations singular, or where contact
+//! that presses leaves one a motion (`unopposed.rs`).
 
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 

@@ -17,7 +17,7 @@ use super::slave_face::SlaveFace;
 use super::stencil::NO_TURN;
 use crate::dofs::DofMap;
 use crate::state::{PointState, State};
-use slideline_model::{EdgePair, Model, NodeIndex};
+use slideline_model::{EdgePair, Model, NodeIndex, SymmetryPlane};
 use std::collections::HashMap;
 
 /// Part of the size of a face by which an edge may stand in it beyond the mean and not be held [1]: less is
@@ -29,7 +29,11 @@ type About = [(usize, f64); 4];
 
 impl Contact {
     /// Adds the points of the edges of a pair that has been added.
-    pub(super) fn add_edges(&mut self, model: &Model, dofs: &DofMap, edges: &EdgePair) {
+    pub(super) fn add_edges(
+        &mut self,
+        (model, dofs): (&Model, &DofMap),
+        (edges, beyond): (&EdgePair, Option<&[SymmetryPlane]>),
+    ) {
         let pair = &model.contact_pairs[edges.of];
         let (place, first) = (self.masters.len(), self.points.len());
         for &node in &edges.nodes {
@@ -55,7 +59,7 @@ impl Contact {
         self.spacing.push(self.spacing[of]);
         let master = MasterSurface::of(
             (model, dofs),
-            (&edges.met, None),
+            (&edges.met, beyond),
             (self.chain_nodes, self.spacing[of]),
         );
         self.chain_nodes += master.nodes().len();

@@ -14,7 +14,9 @@ use crate::users::UserFrictions;
 use slideline_mech::contact::pair::Stretch;
 use slideline_mech::contact::points::integration_points::POINTS;
 use slideline_mech::contact::search::rigid::RigidSegment;
-use slideline_model::{ContactPair, Dof, Formulation, Model, NodeIndex, RigidSurface};
+use slideline_model::{
+    ContactPair, Dof, EdgePair, Formulation, Model, NodeIndex, RigidSurface, SymmetryPlane,
+};
 use std::collections::{HashMap, HashSet};
 
 impl Contact {
@@ -28,7 +30,7 @@ impl Contact {
             directions: if model.is_in_space() { 2 } else { 1 },
             ..Self::default()
         };
-        let planes = model.planes_beyond(model.contact_pairs.iter());
+        let planes = planes_beyond(model);
         for (place, pair) in model.contact_pairs.iter().enumerate() {
             let at_nodes = pair.formulation == Formulation::NodeToSurface;
             let beyond = at_nodes.then(|| planes.get(place).map_or(&[][..], Vec::as_slice));
@@ -52,7 +54,10 @@ impl Contact {
             contact.take_seats(place, pair);
             contact.add_slave_faces(dofs, place, pair);
         }
-        model.edge_pairs.iter().for_each(|edges| contact.add_edges(model, dofs, edges));
+        for (place, edges) in model.edge_pairs.iter().enumerate() {
+            let beyond = beyond_edges(&planes, (model, place));
+            contact.add_edges((model, dofs), (edges, beyond));
+        }
         model.crossing_edges.iter().for_each(|own| contact.add_crossings(model, dofs, own));
         contact.take_bonds();
         contact.opposed = contact.opposed_pairs();
@@ -200,7 +205,7 @@ impl Contact {
         }
         self.take_points(model);
         self.take_segments(model);
-        let planes = model.planes_beyond(model.contact_pairs.iter());
+        let planes = planes_beyond(model);
         for (index, pair) in model.contact_pairs.iter().enumerate() {
             let length = mean_length(model, pair);
             let at_nodes = pair.formulation == Formulation::NodeToSurface;
@@ -218,7 +223,8 @@ impl Contact {
         }
         for (place, edges) in model.edge_pairs.iter().enumerate() {
             let (index, length) = (model.contact_pairs.len() + place, self.spacing[edges.of]);
-            if !self.take_master(model, dofs, (index, &edges.met, length), None) {
+            let beyond = beyond_edges(&planes, (model, place));
+            if !self.take_master(model, dofs, (index, &edges.met, length), beyond) {
                 return Err(edges.of);
             }
         }
@@ -230,6 +236,21 @@ impl Contact {
         self.take_thicknesses(model);
         Ok(())
     }
+}
+
+/// The planes of symmetry beyond which masters go on, pair by pair, and then those of what sharp edges meet.
+fn planes_beyond(model: &Model) -> Vec<Vec<SymmetryPlane>> {
+    let of_pairs = model.contact_pairs.iter().map(ContactPair::met_at_nodes);
+    model.planes_beyond(of_pairs.chain(model.edge_pairs.iter().map(EdgePair::met_in_space)))
+}
+
+/// Those of what the edges of that place meet; none of lines in the plane.
+fn beyond_edges<'a>(
+    planes: &'a [Vec<SymmetryPlane>],
+    (model, place): (&Model, usize),
+) -> Option<&'a [SymmetryPlane]> {
+    let own = planes.get(model.contact_pairs.len() + place).map_or(&[][..], Vec::as_slice);
+    model.edge_pairs[place].met_in_space().map(|_| own)
 }
 
 /// The rotation that carries the surface of a beam about a slave node; none where the surface is its
