@@ -14,6 +14,7 @@ mod covered_ends;
 mod crossing_edges;
 mod crosspoints;
 mod decaying_friction;
+mod edges_in_planes;
 mod exact_touch;
 mod field;
 mod flush_blocks;
