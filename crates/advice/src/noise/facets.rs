@@ -18,6 +18,9 @@ use std::collections::HashMap;
 /// turn by less than a hundredth then.
 const FLAT: f64 = 1e-3;
 
+/// Sizes of faces within which parts begin beside one another [1].
+const BESIDE: f64 = 2.0;
+
 /// How much deeper the faces of both sides stand in one another than the rounds that they are chords of.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Facets {
@@ -49,14 +52,14 @@ impl Facets {
         }
         let own = bulges(model, &slave_faces(pair)?);
         let other = bulges(model, &master_faces(&pair.master)?);
+        let wide = own.values().chain(other.values()).map(|own| own.wide).fold(0.0, f64::max);
+        let near = Near::new(model, other.keys().copied(), BESIDE * wide);
         let mut deeper = HashMap::new();
         for (&node, own) in own.iter().filter(|(_, own)| own.out != 0.0) {
-            let at = model.nodes.position(node);
-            let far = |other: NodeIndex| size(sub(model.nodes.position(other), at));
-            let nearest = other.iter().map(|(&node, bulge)| (far(node), bulge));
-            let Some((way, other)) = nearest.min_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
+            let Some((way, nearest)) = near.nearest(model.nodes.position(node)) else { continue };
+            let other = &other[&nearest];
             // one is hollow where the other one stands out, and they begin beside one another
-            if own.out * other.out < 0.0 && way <= 2.0 * own.wide.max(other.wide) {
+            if own.out * other.out < 0.0 && way <= BESIDE * own.wide.max(other.wide) {
                 deeper.insert(node, -(own.out + other.out));
             }
         }
@@ -71,6 +74,41 @@ impl Facets {
             (force + own, work + own * self.deeper.get(&row.node).copied().unwrap_or_default())
         });
         (force, if force > 0.0 { work / force } else { 0.0 })
+    }
+}
+
+/// Nodes in the cells of a grid.
+struct Near {
+    size: f64,
+    cells: HashMap<[i64; 3], Vec<(NodeIndex, Vector)>>,
+}
+
+impl Near {
+    /// Those of a model in cells of that size [L].
+    fn new(model: &Model, nodes: impl Iterator<Item = NodeIndex>, size: f64) -> Self {
+        let mut new = Self { size, cells: HashMap::new() };
+        for node in nodes {
+            let at = model.nodes.position(node);
+            let cell = new.cell(at);
+            new.cells.entry(cell).or_default().push((node, at));
+        }
+        new
+    }
+
+    fn cell(&self, at: Vector) -> [i64; 3] {
+        at.map(|x| (x / self.size).floor() as i64)
+    }
+
+    /// The node nearest to a place, with its distance, where one is no further than a cell is wide [L].
+    fn nearest(&self, at: Vector) -> Option<(f64, NodeIndex)> {
+        let middle = self.cell(at);
+        let beside = (0..27_i64).map(|k| [k % 3, k / 3 % 3, k / 9].map(|step| step - 1));
+        let cells =
+            beside.map(|step| std::array::from_fn(|axis| middle[axis].saturating_add(step[axis])));
+        let nodes = cells.filter_map(|cell| self.cells.get::<[i64; 3]>(&cell)).flatten();
+        let ways = nodes.map(|&(node, place)| (size(sub(place, at)), node));
+        // of two that are as near the one that comes first in the model
+        ways.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)))
     }
 }
 
