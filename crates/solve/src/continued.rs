@@ -12,9 +12,12 @@ pub struct Continued<'a> {
 }
 
 impl Continued<'_> {
-    /// The largest concentrated load at the beginning or the end of a step [F or F L].
-    pub fn largest_load(&self, step: &Step) -> f64 {
-        let ends = |own: &Load| [self.start_of_load(own, |before| &before.loads), own.value];
+    /// The largest concentrated load at the beginning or the end of a step, moments over a lever [F].
+    pub fn largest_load(&self, step: &Step, lever: f64) -> f64 {
+        let ends = |own: &Load| {
+            let by = if own.dof.is_rotation() && lever > 0.0 { 1.0 / lever } else { 1.0 };
+            [self.start_of_load(own, |before| &before.loads), own.value].map(|value| by * value)
+        };
         step.loads.iter().flat_map(ends).fold(0.0, |most, value| value.abs().max(most))
     }
 

@@ -66,7 +66,7 @@ pub struct Problem<'a> {
     pub is_lenient: bool,
     /// How contact is solved, where not by its size.
     pub enforcement: Option<Enforcement>,
-    /// Largest concentrated load at the beginning or the end of the step [F or F L].
+    /// Largest concentrated load at the beginning or the end of the step, moments over the size of the model [F].
     pub largest_load: f64,
     /// Faces that are pressed.
     pub faces: &'a FaceLoads,
@@ -134,7 +134,7 @@ impl<'a> Problem<'a> {
             units: &values.units[numbered],
             is_lenient: false,
             enforcement: None,
-            largest_load: continued.largest_load(step),
+            largest_load: continued.largest_load(step, values.reach),
             faces: &values.faces[index],
             start,
             means,

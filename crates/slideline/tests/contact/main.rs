@@ -36,6 +36,7 @@ mod pairs_that_leave;
 mod pressed_on_planes;
 mod profiles;
 mod ridges;
+mod rigid_arms;
 mod rigid_meshes;
 mod ring_contact;
 mod rings_of_halves;

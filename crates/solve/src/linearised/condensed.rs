@@ -48,12 +48,6 @@ pub(super) const ROUNDS: usize = 12;
 const ROWS: usize = 18;
 
 impl LinearisedContact {
-    /// Largest way of a row without contact, which its multipliers took back in the last solution [L]: what is left of
-    /// both rounds as they do.
-    pub fn freed(&self) -> f64 {
-        self.rows.iter().map(|row| row.free.abs()).fold(0.0, f64::max)
-    }
-
     /// Makes room for `points` points of a system of `equations`, so that
     /// later iterations allocate nothing.
     pub fn reserve(&mut self, points: usize, equations: usize) {

@@ -13,9 +13,6 @@ use slideline_model::Dof;
 /// Roundings of the size of a force that a residual is allowed [1].
 const ROUNDINGS: f64 = 50.0;
 
-/// Sizes of the model by which parts that contact holds alone may go without it, for rounding to be allowed for [1].
-const FAR: f64 = 1e6;
-
 /// How many times what quadratic convergence promises an iteration may leave and still be expected
 /// to be the last but one [1]: a guess that decides on work alone.
 const LUCKY: f64 = 100.0;
@@ -218,10 +215,7 @@ impl Scratch {
     /// Overclosure that the structure would answer with the residual allowed,
     /// or that rounding leaves [L].
     pub(super) fn contact_tolerance(&self, plan: &Problem<'_>, allowed: f64) -> f64 {
-        // multipliers take back the way that parts go without them, and round as that does; of a way of many sizes of the
-        // model nothing is allowed for: what goes so far is not held
-        let freed = self.contact.freed().min(FAR * plan.reach);
-        let rounding = self.position_rounding(plan).max(4.0 * f64::EPSILON * freed);
+        let rounding = self.position_rounding(plan);
         let stiffest = plan.structure.stiffest;
         let by_force = if stiffest > 0.0 { allowed / stiffest } else { 0.0 };
         by_force.max(rounding)

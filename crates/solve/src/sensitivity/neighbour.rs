@@ -127,7 +127,7 @@ impl<'a> Surroundings<'a> {
             model,
             step: own(step - 1),
             before,
-            largest_load: continued.largest_load(own(step - 1)),
+            largest_load: continued.largest_load(own(step - 1), values.reach),
             constraints: Constraints { motion: &values.motion, ..base.constraints },
             structure: Structure {
                 kernels,
