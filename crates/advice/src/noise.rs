@@ -249,6 +249,25 @@ mod tests {
         assert_eq!(wave.noisy(&wave.noise(&[passed])), None);
     }
 
+    /// Requirement: a pair that was open while its sides stood in one another by much of the way by which they come together
+    /// is told (SL0615), one whose sides come together much further is not.
+    #[test]
+    fn what_closes_late_is_said() {
+        let model = Model::default();
+        let said = |approach: f64| {
+            // a face of it is one long
+            let mut pair = Pair::example();
+            pair.has_corner = false;
+            let open = PairRow { unseen_depth: 0.06, ..PairRow::default() };
+            let closed =
+                PairRow { closed: 1, force: [1.0, 0.0, 0.0], approach, ..PairRow::default() };
+            pair.follow(&model, &open, None, 1);
+            pair.follow(&model, &closed, None, 2);
+            pair.unseen().is_some()
+        };
+        assert!(said(0.3) && !said(3.0));
+    }
+
     /// Requirement: a run in which no pair was ever closed is told so, one in which one was is not, nor is one
     /// without pairs or without increments.
     #[test]

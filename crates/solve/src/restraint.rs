@@ -13,13 +13,12 @@
 mod bodies;
 mod rigid_motions;
 mod ties;
-mod unopposed;
+pub mod unopposed;
 
 use bodies::{Bodies, Term};
 use rigid_motions::{DEPENDENT, Motion, rank, rigid_motion, seen};
 use slideline_model::{Dof, Model, NodeIndex, SpringWay, Step};
 use ties::{Rows, Ties};
-pub use unopposed::{Opposing, Unopposed};
 
 /// The bodies of a model and how a step restrains them.
 pub struct Restraint {

@@ -15,7 +15,8 @@
 use crate::constraints::Rows;
 use crate::contact::{Contact, ContactKinematics, MasterPositions, PointRows};
 use crate::problem::Problem;
-use crate::restraint::{Opposing, Restraint, Unopposed};
+use crate::restraint::Restraint;
+use crate::restraint::unopposed::{Opposing, Unopposed};
 use crate::state::{PointState, State};
 use slideline_mech::contact::tangential::Tangential;
 use slideline_model::{Model, NodeIndex, Stabilisation};

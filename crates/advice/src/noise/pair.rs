@@ -76,7 +76,7 @@ pub(super) struct Pair {
     /// Largest depth that faces do not see, with a node of the face and the increment.
     unseen: (f64, u64, usize),
     /// Whether its master has a sharp corner that stands out and that no node holds.
-    has_corner: bool,
+    pub has_corner: bool,
     /// The same depth of increments in which the pair is open.
     unseen_and_open: (f64, u64, usize),
     /// Typical size of its slave faces [L].

@@ -51,7 +51,7 @@ fn half_of_a_ridge_has_half_of_its_force() {
             let (whole, half) = (of(false), of(true));
             let [whole_force, half_force] = [&whole, &half].map(|own| own.force()[2].abs());
             let off = (2.0 * half_force / whole_force - 1.0).abs();
-            assert!(whole_force > 1.0 && off < 1e-6, "{formulation} {pair}: {whole_force} {off}");
+            assert!(whole_force > 1.0 && off < 1e-4, "{formulation} {pair}: {whole_force} {off}");
             let (most, usual) = (half.most(), whole.most());
             assert!(
                 most <= usual + 1 && half.given_up == 0,

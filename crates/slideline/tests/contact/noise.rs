@@ -348,8 +348,8 @@ B, R
 ";
 
 /// Requirement: the corner of an analytical surface between slave nodes, which the mean over faces does not show, is told of
-/// while the pair is still open, from a fiftieth of a face on; rounded it is where the pair never closes, and not where
-/// it does later.
+/// while the pair is still open, from a fiftieth of a face on; rounded it is where the pair never closes, or closes late by
+/// more than a tenth of the way by which the parts come together.
 #[test]
 fn the_corner_of_an_analytical_surface_in_open_faces_is_told() {
     let said = |name: &str, deck: &str| {
@@ -364,5 +364,5 @@ fn the_corner_of_an_analytical_surface_in_open_faces_is_told() {
         higher.replace("TYPE=SEGMENTS", "TYPE=SEGMENTS, FILLET RADIUS=0.2")
     };
     assert!(said("ridge_round", &round("9, 2, 2, 0.05")));
-    assert!(!said("ridge_round_and_closed", &round("9, 2, 2, 0.15")));
+    assert!(said("ridge_round_and_late", &round("9, 2, 2, 0.15")));
 }

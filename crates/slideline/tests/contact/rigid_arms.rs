@@ -59,7 +59,7 @@ fn an_arm_on_a_pin_knows_no_units() {
         let value = |name: &str| -> f64 {
             last[heads.iter().position(|own| *own == name).unwrap()].parse().unwrap()
         };
-        assert!((value("moment_z") / unit - 5.0).abs() < 1e-6, "{power} {}", value("moment_z"));
+        assert!((value("moment") / unit - 5.0).abs() < 1e-6, "{power} {}", value("moment"));
         let steps = std::fs::read_to_string(place.join("arm.sta")).unwrap();
         let told = std::fs::read_to_string(place.join("arm.msg")).unwrap();
         (steps.lines().count(), told.matches("  ITERATION ").count())

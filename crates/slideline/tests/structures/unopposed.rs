@@ -74,7 +74,7 @@ fn stack(friction: &str) -> String {
 
 /// Requirement: without friction nothing but rounding holds the upper block along the lower one: contact is stabilised and
 /// the run says so, once, and ends with the forces of equilibrium; with friction nothing is said. The floor carries 10
-/// over a width of 2, the wall 7 over a height of 2.
+/// over a width of 2, the wall 7 over a height of 2, of sides that stretch by less than a thousandth.
 #[test]
 fn a_block_that_slides_freely_is_stabilised_and_told() {
     for (friction, told) in [("", 1), ("*FRICTION\n0.1\n", 0)] {
@@ -96,8 +96,8 @@ fn a_block_that_slides_freely_is_stabilised_and_told() {
                 let last = table.lines().rfind(|line| line.contains(pair)).unwrap();
                 last.split(',').nth(column).unwrap().parse().unwrap()
             };
-            assert!((force("FOOT/GROUND", "force_y") - 20.0).abs() < 2e-3);
-            assert!((force("LOWLEFT/SIDE", "force_x") - 14.0).abs() < 2e-3);
+            assert!((force("FOOT/GROUND", "force_y") - 20.0).abs() < 0.02);
+            assert!((force("LOWLEFT/SIDE", "force_x") - 14.0).abs() < 0.02);
         }
     }
 }

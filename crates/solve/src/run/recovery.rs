@@ -30,6 +30,9 @@ const MUCH: f64 = 0.05;
 /// The attempt at an increment from which on what is not held is taken for the cause: shorter ones did not help.
 const LATER: usize = 2;
 
+/// The same of a body that nothing presses yet: gaps that an increment closes exactly take a shorter one or two.
+const MUCH_LATER: usize = 5;
+
 /// What is said of a body that nothing presses yet.
 const UNPRESSED: &str = "is supported only by contact that is open or presses nothing yet";
 
@@ -53,7 +56,7 @@ impl Analysis<'_> {
             None if target.attempt >= LATER
                 && !matches!(outcome.verdict, Verdict::Converged { .. }) =>
             {
-                self.unopposed(plan, work)
+                self.unopposed(plan, target, work)
             }
             _ => None,
         };
@@ -93,11 +96,17 @@ impl Analysis<'_> {
     }
 
     /// A body to which contact without friction leaves a motion.
-    fn unopposed(&self, plan: &Problem<'_>, work: &Scratch) -> Option<(NodeIndex, String)> {
+    fn unopposed(
+        &self,
+        plan: &Problem<'_>,
+        target: &Target,
+        work: &Scratch,
+    ) -> Option<(NodeIndex, String)> {
         let found = stabilise::unopposed(plan, self.committed, &work.evaluation.points)?;
         let (motion, is_pressed) = (found.motion, found.is_pressed);
         if !is_pressed {
-            return Some((motion.node, UNPRESSED.to_owned()));
+            let is_late = target.attempt >= MUCH_LATER;
+            return is_late.then(|| (motion.node, UNPRESSED.to_owned()));
         }
         let turns = plan.reach * motion.turn.iter().fold(0.0_f64, |sum, x| sum.hypot(*x)) > TURNS;
         // no minus before nothing

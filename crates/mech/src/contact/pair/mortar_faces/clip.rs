@@ -123,8 +123,6 @@ pub(super) struct Window {
     /// Its normal [1].
     pub normal: [f64; 3],
     axes: [[f64; 3]; 2],
-    /// Its first corner, the origin of its coordinates [L].
-    origin: [f64; 3],
     corners: Polygon,
     /// Its area [L2].
     pub area: f64,
@@ -185,8 +183,7 @@ impl Window {
         let first = scale(1.0 / dot(along, along).sqrt(), along);
         let axes = [first, cross(normal, first)];
         let none = Polygon { places: [[0.0; 2]; MOST], count: 0 };
-        let origin = own.nodes[0];
-        let mut window = Self { normal, axes, origin, corners: none, area: 0.0 };
+        let mut window = Self { normal, axes, corners: none, area: 0.0 };
         window.corners = window.seen(&own);
         window.area = window.corners.area();
         (window.area > 0.0).then_some(window)
@@ -197,19 +194,13 @@ impl Window {
         self.corners.places()
     }
 
-    /// The place of the plane across its normal through its first corner that is seen there, from that corner [L].
+    /// The place of its plane through the origin that is seen there [L].
     pub fn in_space(&self, [x, y]: [f64; 2]) -> [f64; 3] {
         std::array::from_fn(|axis| x * self.axes[0][axis] + y * self.axes[1][axis])
     }
 
-    /// A place as seen from its first corner [L].
-    pub fn from_corner(&self, at: [f64; 3]) -> [f64; 3] {
-        sub(at, self.origin)
-    }
-
     fn see(&self, at: [f64; 3]) -> [f64; 2] {
-        let way = self.from_corner(at);
-        self.axes.map(|axis| dot(axis, way))
+        self.axes.map(|axis| dot(axis, at))
     }
 
     fn seen(&self, piece: &FacePlaces<f64>) -> Polygon {

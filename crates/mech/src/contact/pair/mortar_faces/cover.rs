@@ -176,8 +176,7 @@ impl Cover {
         let cut = window.cut((piece, place, master_piece), &of_master);
         let Some((mut overlap, polygon)) = cut else { return };
         // from the plane of one piece to that of the other, in the middle of the polygon
-        let [from, own] =
-            [of_master, slave.piece(piece)].map(|own| window.from_corner(own.nodes[0]));
+        let (from, own) = (of_master.nodes[0], slave.piece(piece).nodes[0]);
         let gap_at = |at: [f64; 2]| {
             let upon = window.in_space(at);
             let height = dot(sub(own, upon), window.normal);

@@ -41,17 +41,10 @@ impl<R: Real> FacePlaces<R> {
         shapes(self.count, at)
     }
 
-    /// Where it stands, without derivatives.
+    /// The same without derivatives.
     pub(super) fn values(&self) -> FacePlaces<f64> {
         let nodes = self.nodes.map(|node| node.map(|x| x.value()));
         FacePlaces { nodes, count: self.count }
-    }
-
-    /// The same with that place as the origin.
-    pub(super) fn seen_from(&self, origin: Place<R>) -> Self {
-        let mut seen = *self;
-        seen.nodes[..self.count].iter_mut().for_each(|node| *node = sub(*node, origin));
-        seen
     }
 
     /// The nodes at the corners of a piece.

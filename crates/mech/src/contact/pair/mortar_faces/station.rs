@@ -18,8 +18,10 @@ use crate::differentiate::Real;
 
 /// Most iterations towards a projection.
 const MOST_STEPS: usize = 30;
-/// Step of a place on its cell below which it is found [1].
+/// Step of a place on its cell below which it is found, near the origin [1].
 const FOUND: f64 = 1e-13;
+/// Roundings of a place that such a step may come to [1].
+const ROUNDINGS: f64 = 8.0;
 /// Cells that a projection may lie away from its own one [1].
 const AWAY: f64 = 20.0;
 
@@ -175,16 +177,18 @@ pub(super) fn meet<R: Real>(
 }
 
 fn meet_by_value(face: &FacePlaces<f64>, from: Place<f64>, normal: Place<f64>) -> Option<[f64; 2]> {
-    // seen from where it begins: rounding of places far from the origin would keep the last steps from vanishing
-    let (face, origin) = (&face.seen_from(from), [0.0; 3]);
     let mut at = middle(face.count);
+    // places far from the origin round, and the last steps with them
+    let far = face.nodes[..face.count].iter().chain([&from]).flatten();
+    let rounding = ROUNDINGS * f64::EPSILON * far.fold(0.0_f64, |most, x| most.max(x.abs()));
     for _ in 0..MOST_STEPS {
-        let (across, by) = step(face, origin, normal, at);
+        let (across, by) = step(face, from, normal, at);
         if across == 0.0 || !by[0].is_finite() || !by[1].is_finite() {
             return None;
         }
         at = flat_sub(at, by);
-        if by[0].abs().max(by[1].abs()) <= FOUND {
+        let found = FOUND.max(rounding / across.abs().sqrt());
+        if by[0].abs().max(by[1].abs()) <= found {
             return Some(at);
         }
         if at[0].abs().max(at[1].abs()) > AWAY {
