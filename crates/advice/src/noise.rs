@@ -150,7 +150,7 @@ impl Noise {
         let energy = frame.energy.of_the_model();
         for (place, pair) in self.pairs.iter_mut().enumerate() {
             let own = frame.contact.iter().filter(|row| row.pair == place);
-            pair.weigh_facets(own, energy, self.increments);
+            pair.press(own, energy, self.increments);
         }
     }
 }
@@ -221,6 +221,8 @@ impl Observer for Noise {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use slideline_model::Node;
+    use slideline_solve::observe::ContactRow;
 
     /// Requirement: a history of known noise raises SL0610, the same amplitude
     /// as a smooth wave does not. Closed form: a zigzag of amplitude a over a
@@ -249,23 +251,30 @@ mod tests {
         assert_eq!(wave.noisy(&wave.noise(&[passed])), None);
     }
 
-    /// Requirement: a pair that was open while its sides stood in one another by much of the way by which they come together
-    /// is told (SL0615), one whose sides come together much further is not.
+    /// Requirement: a pair whose sides stood in one another by much of the way by which they come together before it closed
+    /// is told (SL0615), one whose sides come together much further is not, nor one that opens again; where forces go
+    /// round a ring and make up for one another their sizes tell that way.
     #[test]
     fn what_closes_late_is_said() {
-        let model = Model::default();
-        let said = |approach: f64| {
+        let mut model = Model::default();
+        model.nodes.insert(Node { label: 7, position: [0.0; 3], origin: Span::default() });
+        let said = |closes_first: bool, approach: f64, pressed: Option<f64>| {
             // a face of it is one long
             let mut pair = Pair::example();
             pair.has_corner = false;
-            let open = PairRow { unseen_depth: 0.06, ..PairRow::default() };
+            let open = PairRow { unseen_depth: 0.06, unseen: Some(0), ..PairRow::default() };
             let closed =
                 PairRow { closed: 1, force: [1.0, 0.0, 0.0], approach, ..PairRow::default() };
-            pair.follow(&model, &open, None, 1);
-            pair.follow(&model, &closed, None, 2);
+            let rows = if closes_first { [&closed, &open] } else { [&open, &closed] };
+            rows.into_iter().zip(1..).for_each(|(row, k)| pair.follow(&model, row, None, k));
+            // twice the energy over the force is the way
+            let energy = pressed.unwrap_or_default() / 2.0;
+            let row = ContactRow { pressure: 1.0, area: 1.0, ..ContactRow::default() };
+            pair.press(pressed.iter().map(|_| &row), energy, 2);
             pair.unseen().is_some()
         };
-        assert!(said(0.3) && !said(3.0));
+        assert!(said(false, 0.3, None) && !said(false, 3.0, None) && !said(true, 0.3, None));
+        assert!(said(false, 300.0, Some(0.3)) && !said(false, 300.0, Some(3.0)));
     }
 
     /// Requirement: a run in which no pair was ever closed is told so, one in which one was is not, nor is one

@@ -221,7 +221,7 @@ pub fn unopposed(plan: &Problem<'_>, committed: &State, now: &[PointState]) -> O
         let (from, moved) = (plan.model.nodes.position(node), plan.dofs.translation(u, node));
         std::array::from_fn(|axis| from[axis] + moved[axis])
     };
-    Restraint::of(plan.model, plan.step).unopposed(plan.model, &points, place)
+    Restraint::of(plan.model, plan.step).unopposed((plan.model, plan.step), &points, place)
 }
 
 /// Whether a motion closes, opens or slides a point.

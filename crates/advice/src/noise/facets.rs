@@ -8,8 +8,9 @@
 //!
 //! docs/theory.md section 5.22
 
-use slideline_mech::surface::mesh::SHARP;
-use slideline_mech::vector::{Vector, add, cross, dot, scale, size, sub};
+use slideline_mech::contact::search::tree::BoxTree;
+use slideline_mech::surface::mesh::{area_between, is_crease};
+use slideline_mech::vector::{Vector, add, dot, scale, size, sub};
 use slideline_model::{ContactPair, Formulation, Lumping, Master, Model, NodeIndex};
 use slideline_solve::observe::ContactRow;
 use std::collections::HashMap;
@@ -53,62 +54,30 @@ impl Facets {
         let own = bulges(model, &slave_faces(pair)?);
         let other = bulges(model, &master_faces(&pair.master)?);
         let wide = own.values().chain(other.values()).map(|own| own.wide).fold(0.0, f64::max);
-        let near = Near::new(model, other.keys().copied(), BESIDE * wide);
+        let place = |node: NodeIndex| model.nodes.position(node);
+        let mut masters: Vec<NodeIndex> = other.keys().copied().collect();
+        masters.sort_unstable();
+        let tree = BoxTree::<3>::new(masters.len(), |k| (place(masters[k]), place(masters[k])));
         let mut deeper = HashMap::new();
         for (&node, own) in own.iter().filter(|(_, own)| own.out != 0.0) {
-            let Some((way, nearest)) = near.nearest(model.nodes.position(node)) else { continue };
-            let other = &other[&nearest];
+            let at = place(node);
+            let square = |k: usize| size(sub(place(masters[k]), at)).powi(2);
+            let Some((nearest, square)) = tree.nearest_within(at, BESIDE * wide, square) else {
+                continue;
+            };
+            let other = &other[&masters[nearest]];
             // one is hollow where the other one stands out, and they begin beside one another
-            if own.out * other.out < 0.0 && way <= BESIDE * own.wide.max(other.wide) {
+            if own.out * other.out < 0.0 && square.sqrt() <= BESIDE * own.wide.max(other.wide) {
                 deeper.insert(node, -(own.out + other.out));
             }
         }
         (!deeper.is_empty()).then_some(Self { deeper })
     }
 
-    /// Forces on the slave nodes of the pair of that place, and the mean by these of how much deeper the faces stand
-    /// [F, L].
-    pub fn weigh<'a>(&self, rows: impl Iterator<Item = &'a ContactRow>) -> (f64, f64) {
-        let (force, work) = rows.fold((0.0, 0.0), |(force, work), row| {
-            let own = row.pressure * row.area;
-            (force + own, work + own * self.deeper.get(&row.node).copied().unwrap_or_default())
-        });
-        (force, if force > 0.0 { work / force } else { 0.0 })
-    }
-}
-
-/// Nodes in the cells of a grid.
-struct Near {
-    size: f64,
-    cells: HashMap<[i64; 3], Vec<(NodeIndex, Vector)>>,
-}
-
-impl Near {
-    /// Those of a model in cells of that size [L].
-    fn new(model: &Model, nodes: impl Iterator<Item = NodeIndex>, size: f64) -> Self {
-        let mut new = Self { size, cells: HashMap::new() };
-        for node in nodes {
-            let at = model.nodes.position(node);
-            let cell = new.cell(at);
-            new.cells.entry(cell).or_default().push((node, at));
-        }
-        new
-    }
-
-    fn cell(&self, at: Vector) -> [i64; 3] {
-        at.map(|x| (x / self.size).floor() as i64)
-    }
-
-    /// The node nearest to a place, with its distance, where one is no further than a cell is wide [L].
-    fn nearest(&self, at: Vector) -> Option<(f64, NodeIndex)> {
-        let middle = self.cell(at);
-        let beside = (0..27_i64).map(|k| [k % 3, k / 3 % 3, k / 9].map(|step| step - 1));
-        let cells =
-            beside.map(|step| std::array::from_fn(|axis| middle[axis].saturating_add(step[axis])));
-        let nodes = cells.filter_map(|cell| self.cells.get::<[i64; 3]>(&cell)).flatten();
-        let ways = nodes.map(|&(node, place)| (size(sub(place, at)), node));
-        // of two that are as near the one that comes first in the model
-        ways.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)))
+    /// Sum over slave nodes of the forces that press on them by how much deeper the faces stand there [F L].
+    pub fn deeper<'a>(&self, rows: impl Iterator<Item = &'a ContactRow>) -> f64 {
+        let of = |row: &ContactRow| self.deeper.get(&row.node).copied().unwrap_or_default();
+        rows.map(|row| row.pressure * row.area * of(row)).sum()
     }
 }
 
@@ -151,7 +120,10 @@ fn bulges(model: &Model, faces: &[Vec<NodeIndex>]) -> HashMap<NodeIndex, Bulge> 
     }
     let own: HashMap<NodeIndex, Bulge> = about
         .iter()
-        .map(|(&node, of)| (node, bulge(model.nodes.position(node), of.iter().map(|&k| faces[k]))))
+        .map(|(&node, of)| {
+            let of: Vec<Face<'_>> = of.iter().map(|&face| faces[face]).collect();
+            (node, bulge(model.nodes.position(node), &of))
+        })
         .collect();
     // at the end of a surface half of the faces about a node are missing: the faces as a whole say what is round there
     let most = |face: &Face<'_>| {
@@ -168,17 +140,16 @@ fn bulges(model: &Model, faces: &[Vec<NodeIndex>]) -> HashMap<NodeIndex, Bulge> 
 }
 
 /// That of a node with the faces about it: eq. (5.60).
-fn bulge<'a>(at: Vector, faces: impl Iterator<Item = Face<'a>> + Clone) -> Bulge {
-    let sum = faces.clone().fold([0.0; 3], |sum, own| add(sum, own.normal));
-    let normal = scale(sum, 1.0 / size(sum));
-    let count = faces.clone().count() as f64;
-    let wide = faces.clone().map(|own| 2.0 * size(sub(at, own.middle))).fold(0.0, f64::max);
-    let is_smooth = faces.clone().all(|own| dot(own.normal, normal) > SHARP);
-    if !is_smooth {
+fn bulge(at: Vector, faces: &[Face<'_>]) -> Bulge {
+    let wide = faces.iter().map(|own| 2.0 * size(sub(at, own.middle))).fold(0.0, f64::max);
+    let is_sharp = |one: &Face<'_>| faces.iter().any(|other| is_crease(one.normal, other.normal));
+    if faces.iter().any(is_sharp) {
         return Bulge { out: 0.0, wide };
     }
-    let out: f64 = faces.map(|own| dot(sub(at, own.middle), normal)).sum();
-    let out = out / (3.0 * count);
+    let sum = faces.iter().fold([0.0; 3], |sum, own| add(sum, own.normal));
+    let normal = scale(sum, 1.0 / size(sum));
+    let out: f64 = faces.iter().map(|own| dot(sub(at, own.middle), normal)).sum();
+    let out = out / (3.0 * faces.len() as f64);
     Bulge { out: if out.abs() > FLAT * wide { out } else { 0.0 }, wide }
 }
 
@@ -192,8 +163,7 @@ impl<'a> Face<'a> {
                 let along = sub(place(1), place(0));
                 [along[1], -along[0], 0.0]
             }
-            3 => cross(sub(place(1), place(0)), sub(place(2), place(0))),
-            _ => cross(sub(place(2), place(0)), sub(place(3), place(1))),
+            corners => area_between(corners, place),
         };
         let long = size(normal);
         (long > 0.0).then(|| Self { nodes, middle, normal: scale(normal, 1.0 / long) })

@@ -1,12 +1,13 @@
 //! What one pair does over a run, and what that asks to be said.
 
 use super::facets::Facets;
-use crate::start::spacing;
+use crate::start::{length, less};
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_measures::PairNoise;
+use slideline_mech::surface::mesh::area_between;
 use slideline_model::{ContactPair, Formulation, Master, Model, NodeIndex, NormalLaw, Vocabulary};
 use slideline_solve::observe::{ContactRow, PairRow};
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 use std::ops::Range;
 
 /// Penetration above which a softened law has been pressed too far, in c0 [1].
@@ -18,8 +19,8 @@ const UNSEEN: f64 = 0.1;
 /// fifth, as straight sides show nothing then, and round parts with a corner elsewhere up to l/5R at a radius R. So much
 /// is said of any pair that never closes: whatever its parts are, they stand in one another without a force.
 const UNSEEN_AND_OPEN: f64 = 0.02;
-/// Part of the way by which the parts have come together that they may have gone into one another while the pair was
-/// open [1]: forces are off by about that.
+/// Part of the way by which the parts have come together that they may have gone into one another before the pair closed
+/// first [1]: forces are off by about that.
 const LATE: f64 = 0.1;
 /// Forces of one pair that are left over, relative to their magnitudes [1]:
 /// thousands of times what rounding leaves.
@@ -36,18 +37,19 @@ const SMOOTHED: f64 = 0.1;
 /// Part of the force of a pair that straight faces in the place of rounds may make [1].
 const FACETS: f64 = 0.05;
 
-/// What straight faces make of the force of a pair of rounds where it carries most.
+/// A pair where it presses most, whichever way its forces point.
 #[derive(Clone, Copy, Debug, Default)]
-struct Straightened {
+struct Pressed {
+    /// Sum of the forces of pressure [F].
     force: f64,
-    /// How much deeper they stand in one another than the rounds [L].
+    /// How much deeper straight faces stand in one another than the rounds that they are drawn for [L].
     deeper: f64,
     /// The way by which the parts have come together [L].
     approach: f64,
     increment: usize,
 }
 
-/// A pair where it carries most.
+/// A pair where its resultant is largest.
 #[derive(Clone, Copy, Debug, Default)]
 struct Largest {
     force: f64,
@@ -79,13 +81,17 @@ pub(super) struct Pair {
     pub has_corner: bool,
     /// The same depth of increments in which the pair is open.
     unseen_and_open: (f64, u64, usize),
-    /// Typical size of its slave faces [L].
-    face: f64,
+    /// How far its sides stood in one another before it closed first, where that was most [L], and the place of
+    /// `unseen_and_open` then.
+    before_it_closed: (f64, (f64, u64, usize)),
+    /// Sizes of the slave faces about each node [L].
+    faces: HashMap<NodeIndex, f64>,
     /// Where it carries most.
     largest: Largest,
+    /// Where it presses most.
+    pressed_most: Pressed,
     /// Of rounds in one another that are drawn with straight faces.
     facets: Option<Facets>,
-    straightened: Straightened,
     /// The node that carries most in each increment, where one touches.
     pub carriers: Vec<Option<NodeIndex>>,
     /// Largest imbalance of forces and of moments, and its increment.
@@ -114,10 +120,11 @@ impl Pair {
             unseen: (0.0, 0, 0),
             has_corner: has_corner(&pair.master),
             unseen_and_open: (0.0, 0, 0),
-            face: spacing(model, pair),
+            before_it_closed: (0.0, (0.0, 0, 0)),
+            faces: face_sizes(model, pair),
             largest: Largest::default(),
+            pressed_most: Pressed::default(),
             facets: Facets::of(model, pair),
-            straightened: Straightened::default(),
             carriers: Vec::new(),
             imbalance: [(0.0, 0); 2],
         }
@@ -150,6 +157,13 @@ impl Pair {
         if row.closed == 0 {
             self.unseen_and_open = deeper(self.unseen_and_open, unseen);
         }
+        if !self.touched {
+            let size = row.unseen.and_then(|node| self.faces.get(&node));
+            let way = row.unseen_depth * size.copied().unwrap_or_default();
+            if way > self.before_it_closed.0 {
+                self.before_it_closed = (way, unseen);
+            }
+        }
         let force = row.force.iter().map(|own| own * own).sum::<f64>().sqrt();
         if force > self.largest.force {
             let PairRow { falls_away, smoothed_away, approach, .. } = *row;
@@ -163,20 +177,26 @@ impl Pair {
         }
     }
 
-    /// Holds what straight faces add to the rounds of the pair against an energy of the model [F L], where the pair
-    /// carries most.
-    pub fn weigh_facets<'a>(
+    /// Takes in what presses on its slave nodes, with the energy of the model [F L].
+    pub fn press<'a>(
         &mut self,
-        rows: impl Iterator<Item = &'a ContactRow>,
+        rows: impl Iterator<Item = &'a ContactRow> + Clone,
         energy: f64,
         increment: usize,
     ) {
-        let Some(facets) = &self.facets else { return };
-        let (force, deeper) = facets.weigh(rows);
-        if force > self.straightened.force {
+        let force = rows.clone().map(|row| row.pressure * row.area).sum();
+        if force > self.pressed_most.force {
+            let deeper = self.facets.as_ref().map_or(0.0, |own| own.deeper(rows) / force);
             let approach = 2.0 * energy.max(0.0) / force;
-            self.straightened = Straightened { force, deeper, approach, increment };
+            self.pressed_most = Pressed { force, deeper, approach, increment };
         }
+    }
+
+    /// The way by which the parts have come together where the pair carries most [L]. Forces of a ring make up for one
+    /// another; those of pressure are not known of increments before a saved state.
+    fn approach(&self) -> Option<f64> {
+        let both = [self.largest.approach, self.pressed_most.approach];
+        both.into_iter().filter(|own| *own > 0.0).reduce(f64::min)
     }
 
     pub fn noise(&self, increments: usize) -> PairNoise {
@@ -246,6 +266,7 @@ impl Pair {
 
     /// SL0615: an edge, a corner or a round in the other side, which the mean over faces does not show.
     pub fn unseen(&self) -> Option<Diagnostic> {
+        let (way, before) = self.before_it_closed;
         let ((depth, node, increment), held) = if self.unseen.0 > UNSEEN {
             (self.unseen, "contact forces there are too small")
         } else if self.unseen_and_open.0 <= UNSEEN_AND_OPEN {
@@ -254,10 +275,9 @@ impl Pair {
             (self.unseen_and_open, "the pair is open")
         } else if !self.touched {
             (self.unseen_and_open, "the pair never closes, and no force acts")
-        } else if self.unseen_and_open.0 * self.face > LATE * self.largest.approach
-            && self.largest.approach > 0.0
+        } else if before.0 > UNSEEN_AND_OPEN && self.approach().is_some_and(|own| way > LATE * own)
         {
-            (self.unseen_and_open, "the pair is open: it closes late")
+            (before, "the pair is open: it closes late")
         } else {
             return None;
         };
@@ -293,9 +313,10 @@ impl Pair {
 
     /// SL0626: rounds in one another whose straight faces are not alike.
     fn straight(&self) -> Option<Diagnostic> {
-        let Straightened { deeper, approach, increment, .. } = self.straightened;
+        let Pressed { deeper, approach, increment, .. } = self.pressed_most;
         let of_rounds = approach - deeper;
-        if deeper.abs() <= FACETS * of_rounds.abs() {
+        // nothing answers to an approach where nothing is elastic
+        if approach <= 0.0 || deeper.abs() <= FACETS * of_rounds.abs() {
             return None;
         }
         let (sense, what) = if deeper > 0.0 {
@@ -379,10 +400,11 @@ impl Pair {
             unseen: (0.0, 0, 0),
             has_corner: true,
             unseen_and_open: (0.0, 0, 0),
-            face: 1.0,
+            before_it_closed: (0.0, (0.0, 0, 0)),
+            faces: HashMap::from([(0, 1.0)]),
             largest: Largest::default(),
+            pressed_most: Pressed::default(),
             facets: None,
-            straightened: Straightened::default(),
             carriers: Vec::new(),
             imbalance: [(0.0, 0); 2],
         }
@@ -393,6 +415,31 @@ impl Pair {
 fn has_corner(master: &Master) -> bool {
     let Master::RigidSurface(surface) = master else { return false };
     slideline_solve::rigid_surface(surface).is_some_and(|own| own.is_sharp())
+}
+
+/// Mean sizes of the slave faces about each node, where contact is spread over them: their length in the plane, the root of
+/// their area in space [L].
+fn face_sizes(model: &Model, pair: &ContactPair) -> HashMap<NodeIndex, f64> {
+    if pair.formulation != Formulation::Mortar {
+        return HashMap::new();
+    }
+    let place = |node: NodeIndex| model.nodes.position(node);
+    let lines = pair
+        .elements
+        .iter()
+        .map(|own| (&own.nodes[..], length(less(place(own.nodes[1]), place(own.nodes[0])))));
+    let faces = pair.faces.iter().map(|face| {
+        let corners = face.cell().map_or(0, |cell| cell.faces.len());
+        (&face.nodes[..], length(area_between(corners, |k| place(face.nodes[k]))).sqrt())
+    });
+    let mut all: HashMap<NodeIndex, (f64, f64)> = HashMap::new();
+    for (nodes, size) in lines.chain(faces) {
+        for &node in nodes {
+            let (sum, count) = all.entry(node).or_default();
+            (*sum, *count) = (*sum + size, *count + 1.0);
+        }
+    }
+    all.into_iter().map(|(node, (sum, count))| (node, sum / count)).collect()
 }
 
 /// The deeper one of two places.

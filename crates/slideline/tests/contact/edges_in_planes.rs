@@ -42,7 +42,7 @@ fn deck(is_half: bool, kind: Kind, formulation: &str, pair: &str) -> String {
 }
 
 /// Requirement: half of a ridge has half of the force of the whole, whichever side is named first, with contact at nodes
-/// and over faces, in as few iterations.
+/// and over faces, in as few iterations; to what the tolerance of equilibrium leaves of either.
 #[test]
 fn half_of_a_ridge_has_half_of_its_force() {
     for formulation in ["SURFACE TO SURFACE", "NODE TO SURFACE"] {

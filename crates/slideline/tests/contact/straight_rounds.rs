@@ -133,8 +133,8 @@ impl Fit {
 }
 
 /// Requirement: where both rounds have faces of one length, contact over faces has the force of the rings, and nothing is
-/// told; else how far it is off is told to a tenth of that, whichever side is the slave, in the plane and in space, in
-/// any units.
+/// told; else how far it is off is told to two hundredths of the force and a tenth of itself, whichever side is the slave,
+/// in the plane and in space, in any units.
 #[test]
 fn what_straight_faces_make_of_a_fit_is_told() {
     for in_space in [false, true] {
@@ -170,5 +170,66 @@ fn nodes_on_a_round_master_are_right() {
         let (force, told) = fit.run(&format!("round_nodes_{}", faces[0]));
         assert_eq!(told, None);
         assert!((force - 1.0).abs() < 0.01, "{faces:?} {force}");
+    }
+}
+
+/// A part between two heights over a width, of so many elements across, its nodes from `first` on: `low` and `high` give
+/// its lower and its upper side.
+fn strip(
+    (name, first, across): (&str, usize, usize),
+    low: impl Fn(f64) -> f64,
+    high: impl Fn(f64) -> f64,
+) -> String {
+    let mut text = format!("*NODE, NSET={name}\n");
+    for row in 0..=LAYERS {
+        for k in 0..=across {
+            let (x, part) = (9.0 * k as f64 / across as f64 - 4.5, row as f64 / LAYERS as f64);
+            let y = low(x) * (1.0 - part) + high(x) * part;
+            writeln!(text, "{}, {x:?}, {y:?}", first + k + (across + 1) * row).unwrap();
+        }
+    }
+    writeln!(text, "*ELEMENT, TYPE=CPE4I, ELSET={name}").unwrap();
+    for row in 0..LAYERS {
+        for k in 0..across {
+            let n = first + k + (across + 1) * row;
+            let (own, above) = (first + k + across * row, n + across + 1);
+            writeln!(text, "{own}, {n}, {}, {}, {above}", n + 1, above + 1).unwrap();
+        }
+    }
+    let (foot, top) = (first, first + (across + 1) * LAYERS);
+    let row =
+        |from: usize| -> String { (from..=from + across).map(|own| format!("{own},\n")).collect() };
+    let faces = |from: usize, side: &str| -> String {
+        (from..from + across).map(|own| format!("{own}, {side}\n")).collect()
+    };
+    format!(
+        "{text}*SOLID SECTION, ELSET={name}, MATERIAL=M\n*NSET, NSET={name}FOOT\n{}*NSET, NSET={name}TOP\n{}\
+         *SURFACE, NAME={name}LOW\n{}*SURFACE, NAME={name}HIGH\n{}",
+        row(foot),
+        row(top),
+        faces(first, "S1"),
+        faces(first + across * (LAYERS - 1), "S3")
+    )
+}
+
+/// Requirement: a wedge in its groove has edges, which stand where they are drawn: nothing is told of it, although its
+/// faces are a fourth as long as those of the groove; whatever its angle, up to where two faces begin to be a round.
+#[test]
+fn edges_are_no_rounds() {
+    for degrees in [23.0_f64, 30.0, 44.0, 60.0] {
+        let slope = degrees.to_radians().tan();
+        let edge = |x: f64| slope * x.abs();
+        let wedge = strip(("WEDGE", 1, 8), edge, |_| 4.5 * slope + 4.0);
+        let groove = strip(("GROOVE", 1001, 2), |_| -3.0, edge);
+        let deck = format!(
+            "{wedge}{groove}*MATERIAL, NAME=M\n*ELASTIC\n1e4, 0.3\n*SURFACE INTERACTION, NAME=I\n\
+             *CONTACT PAIR, INTERACTION=I, TYPE=SURFACE TO SURFACE\nWEDGELOW, GROOVEHIGH\n*BOUNDARY\nGROOVEFOOT, 1, 2\n\
+             WEDGETOP, 1, 1\n*STEP\n*STATIC\n*BOUNDARY\nWEDGETOP, 2, 2, -0.01\n*END STEP\n"
+        );
+        let name = format!("edges_are_no_rounds_{degrees}");
+        let read = Job::read_text("wedge", &deck, &ReadOptions::default());
+        let outcome = run_in(&folder(&name), &read);
+        assert_eq!(outcome.status, Status::Completed, "{name}: {:?}", codes(&outcome));
+        assert!(!codes(&outcome).contains(&"SL0626"), "{name}: {:?}", outcome.diagnostics);
     }
 }

@@ -9,6 +9,11 @@ pub type Motion = [f64; 6];
 /// Part of the largest entry below which a row depends on the others [1].
 pub const DEPENDENT: f64 = 1e-9;
 
+/// What counts as nothing among these entries.
+pub fn nothing_among(entries: &[f64]) -> f64 {
+    DEPENDENT * entries.iter().fold(0.0_f64, |most, own| most.max(own.abs()))
+}
+
 /// What a dof of a rigid body sees of its motion, `arm` away from its root.
 pub fn rigid_motion(dof: Dof, arm: [f64; 3]) -> Motion {
     let mut row = [0.0; 6];
@@ -48,16 +53,15 @@ pub fn named_motion(model: &Model, node: NodeIndex, dof: Dof, arm: [f64; 3]) -> 
     row
 }
 
-/// Motions along some of the unknowns that rows of a width do not hinder, but for parts of the largest entry below
-/// `least`: a base of all of them.
+/// Motions along some of the unknowns that rows of a width do not hinder, but for entries up to `zero`: a base of all of
+/// them.
 pub fn null_motions(
     (mut rows, width): (Vec<f64>, usize),
     unknowns: impl Iterator<Item = usize>,
-    least: f64,
+    zero: f64,
 ) -> Vec<Vec<f64>> {
-    let scale = rows.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
     let mut pivots = Vec::with_capacity(width);
-    reduce_rows(&mut rows, width, least * scale, &mut pivots);
+    reduce_rows(&mut rows, width, zero, &mut pivots);
     let free = unknowns.filter(|column| !pivots.contains(column));
     let motion = |column: usize| {
         let mut motion = vec![0.0; width];
@@ -73,9 +77,9 @@ pub fn null_motions(
 /// Rank of a few rows.
 pub fn rank(rows: &[Motion]) -> usize {
     let mut rows = rows.as_flattened().to_vec();
-    let scale = rows.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
+    let zero = nothing_among(&rows);
     let mut pivots = Vec::with_capacity(6);
-    reduce_rows(&mut rows, 6, DEPENDENT * scale, &mut pivots);
+    reduce_rows(&mut rows, 6, zero, &mut pivots);
     pivots.len()
 }
 
@@ -105,8 +109,10 @@ mod tests {
     /// that line; clamps leave nothing.
     #[test]
     fn hinges_leave_a_turn() {
-        let left =
-            |rows: &[Motion]| null_motions((rows.as_flattened().to_vec(), 6), 0..6, DEPENDENT);
+        let left = |rows: &[Motion]| {
+            let rows = rows.as_flattened();
+            null_motions((rows.to_vec(), 6), 0..6, nothing_among(rows))
+        };
         let hinge = |x| [Dof::U1, Dof::U2, Dof::U3].map(|dof| rigid_motion(dof, [x, 0.5, 0.25]));
         let turns = left(&[hinge(0.0), hinge(1.0)].concat());
         assert_eq!(turns.len(), 1);
@@ -117,6 +123,13 @@ mod tests {
         assert!(still.iter().all(|u| u.abs() < 1e-12));
         let clamp = [Dof::UR1, Dof::UR2, Dof::UR3].map(|dof| rigid_motion(dof, [0.0; 3]));
         assert!(left(&[hinge(0.0), clamp].concat()).is_empty());
+    }
+
+    /// Requirement: what counts as nothing does so however small all of it is.
+    #[test]
+    fn what_hardly_hinders_leaves_a_motion() {
+        let left = |hindered: f64| null_motions((vec![hindered], 1), 0..1, 1e-2).len();
+        assert_eq!([1.0, 0.02, 1e-3, 0.0].map(left), [0, 0, 1, 1]);
     }
 
     /// Requirement: the row of a dof is its displacement under a rigid motion: about the third axis

@@ -6,7 +6,7 @@
 //! ```
 
 use super::bodies::{Bodies, Tied};
-use super::rigid_motions::{DEPENDENT, Motion, null_motions, rigid_motion, seen};
+use super::rigid_motions::{DEPENDENT, Motion, nothing_among, null_motions, rigid_motion, seen};
 use crate::leading::masters;
 use slideline_linalg::reduce_rows;
 use slideline_model::{Dof, Model, NodeIndex};
@@ -86,7 +86,8 @@ impl Ties {
         }
         let columns =
             (0..group.len()).flat_map(|place| unknowns.iter().map(move |own| 6 * place + own));
-        let motions = null_motions((all, width), columns, DEPENDENT);
+        let zero = nothing_among(&all);
+        let motions = null_motions((all, width), columns, zero);
         let of_first = motions.into_iter().map(|motion| std::array::from_fn(|k| motion[k]));
         of_first.filter(|own: &Motion| own.iter().any(|part| part.abs() > DEPENDENT)).collect()
     }
@@ -94,8 +95,8 @@ impl Ties {
 
 /// Leaves as many rows as are independent.
 fn reduce(rows: &mut Vec<Between>) {
-    let scale = rows.as_flattened().iter().fold(0.0_f64, |most, own| most.max(own.abs()));
+    let zero = nothing_among(rows.as_flattened());
     let mut pivots = Vec::with_capacity(12);
-    reduce_rows(rows.as_flattened_mut(), 12, DEPENDENT * scale, &mut pivots);
+    reduce_rows(rows.as_flattened_mut(), 12, zero, &mut pivots);
     rows.truncate(pivots.len());
 }

@@ -9,7 +9,7 @@
 
 use super::rigid_motions::{DEPENDENT, Motion, null_motions, rigid_motion};
 use super::{Restraint, RigidMotion, length};
-use slideline_model::{Dof, Model, NodeIndex};
+use slideline_model::{Dof, Model, NodeIndex, Step};
 
 /// Part of a motion that contact meets along its normals below which it does not oppose it [1]: faces tilt by the
 /// strains of what they belong to. (choice)
@@ -35,36 +35,61 @@ pub struct Unopposed {
 
 impl Restraint {
     /// A rigid motion of a body that supports leave to it, and that points which press do not oppose, given where nodes
-    /// stand. Nothing is said of bodies that face nothing, or where friction may hold.
+    /// stand: of one that is pressed, where there is one. Nothing is said of bodies that face nothing, that others hold in
+    /// part, or where friction may hold.
     pub fn unopposed(
         &mut self,
-        model: &Model,
+        (model, step): (&Model, &Step),
         points: &[Opposing],
         place: impl Fn(NodeIndex) -> [f64; 3],
     ) -> Option<Unopposed> {
-        let roots = self.roots();
-        roots.into_iter().find_map(|root| {
-            let motions = self.motions(root);
-            if motions.is_empty() || self.is_sprung(model, root) {
+        let mut unpressed = None;
+        for root in self.roots() {
+            match self.unopposed_of((model, step), root, points, &place) {
+                Some(found) if found.is_pressed => return Some(found),
+                found => unpressed = unpressed.or(found),
+            }
+        }
+        unpressed
+    }
+
+    /// The same of the body of a root.
+    fn unopposed_of(
+        &mut self,
+        (model, step): (&Model, &Step),
+        root: NodeIndex,
+        points: &[Opposing],
+        place: &impl Fn(NodeIndex) -> [f64; 3],
+    ) -> Option<Unopposed> {
+        let motions = self.motions(root);
+        if motions.is_empty()
+            || self.ties.group(root).len() > 1
+            || self.is_sprung(model, step, root)
+        {
+            return None;
+        }
+        let members = self.members(model, root);
+        // motions count by the way of what moves most
+        let by_most = |motion: &Motion| {
+            let (_, moved) = self.farthest(model, (root, &members), motion)?;
+            Some(motion.map(|part| part / length(moved)))
+        };
+        let motions: Vec<Motion> = motions.iter().filter_map(by_most).collect();
+        let rows = self.opposing(root, (&motions, points), place)?;
+        let is_pressed = !rows.is_empty();
+        let left = null_motions((rows, motions.len()), 0..motions.len(), OPPOSED);
+        // supports know where nodes began, contact where they stand: what turns about a support is not judged
+        let is_supported = self.rows.get(&root).is_some_and(|rows| !rows.is_empty());
+        left.iter().find_map(|parts| {
+            let sum: Motion = std::array::from_fn(|k| {
+                parts.iter().zip(&motions).map(|(part, motion)| part * motion[k]).sum()
+            });
+            let turns = sum[3..].iter().any(|part| part.abs() > DEPENDENT);
+            if is_supported && turns {
                 return None;
             }
-            let members = self.members(model, root);
-            // motions count by the way of what moves most
-            let by_most = |motion: &Motion| {
-                let (_, moved) = self.farthest(model, (root, &members), motion)?;
-                Some(motion.map(|part| part / length(moved)))
-            };
-            let motions: Vec<Motion> = motions.iter().filter_map(by_most).collect();
-            let rows = self.opposing(root, (&motions, points), &place)?;
-            let is_pressed = !rows.is_empty();
-            let left = null_motions((rows, motions.len()), 0..motions.len(), OPPOSED);
-            left.iter().find_map(|parts| {
-                let sum = std::array::from_fn(|k| {
-                    parts.iter().zip(&motions).map(|(part, motion)| part * motion[k]).sum()
-                });
-                let motion = self.of_body(model, (root, &members), &sum)?;
-                Some(Unopposed { motion, is_pressed })
-            })
+            let motion = self.of_body(model, (root, &members), &sum)?;
+            Some(Unopposed { motion, is_pressed })
         })
     }
 
@@ -107,10 +132,11 @@ impl Restraint {
         is_met.then_some(rows)
     }
 
-    /// Whether a spring or a gap holds on to a node of the body of a root.
-    fn is_sprung(&mut self, model: &Model, root: NodeIndex) -> bool {
-        let loose = model.blocks.iter().filter(|block| !block.kind.joins());
-        let mut nodes = loose.flat_map(|block| &block.elements).flat_map(|element| element.nodes);
-        nodes.any(|&node| self.bodies.root(node) == root)
+    /// Whether a spring or a gap between two nodes holds on to one of the body of a root. What holds on to ground is a
+    /// support.
+    fn is_sprung(&mut self, model: &Model, step: &Step, root: NodeIndex) -> bool {
+        let loose = step.presence.elements(&model.blocks).filter(|(block, _)| !block.kind.joins());
+        let mut between = loose.map(|(_, own)| own.nodes).filter(|nodes| nodes.len() > 1).flatten();
+        between.any(|&node| self.bodies.root(node) == root)
     }
 }

@@ -168,8 +168,7 @@ pub(super) fn meet<R: Real>(
     let start = meet_by_value(&face.values(), value(from), value(normal))?;
     let at = start.map(R::from_f64);
     // from the value to its derivatives
-    let (_, step) = step(face, from, normal, at);
-    let at = flat_sub(at, step);
+    let at = flat_sub(at, step(face, from, normal, at).by);
     let own = face.shapes(at);
     let along = own.slope.map(|slope| face.blend(&slope));
     let gap = dot(sub(face.blend(&own.value), from), normal);
@@ -182,13 +181,15 @@ fn meet_by_value(face: &FacePlaces<f64>, from: Place<f64>, normal: Place<f64>) -
     let far = face.nodes[..face.count].iter().chain([&from]).flatten();
     let rounding = ROUNDINGS * f64::EPSILON * far.fold(0.0_f64, |most, x| most.max(x.abs()));
     for _ in 0..MOST_STEPS {
-        let (across, by) = step(face, from, normal, at);
+        let Step { tangents, across, by } = step(face, from, normal, at);
         if across == 0.0 || !by[0].is_finite() || !by[1].is_finite() {
             return None;
         }
         at = flat_sub(at, by);
-        let found = FOUND.max(rounding / across.abs().sqrt());
-        if by[0].abs().max(by[1].abs()) <= found {
+        let walked = by[0].abs().max(by[1].abs());
+        // a place that is off by its rounding is off by that over the height of the cell there
+        let longest = tangents.into_iter().map(|own| dot(own, own)).fold(0.0, f64::max).sqrt();
+        if walked <= FOUND.max(rounding * longest / across.abs()) {
             return Some(at);
         }
         if at[0].abs().max(at[1].abs()) > AWAY {
@@ -198,19 +199,23 @@ fn meet_by_value(face: &FacePlaces<f64>, from: Place<f64>, normal: Place<f64>) -
     None
 }
 
-/// Newton's step towards the line, to be taken off, with the determinant [L2].
-fn step<R: Real>(
-    face: &FacePlaces<R>,
-    from: Place<R>,
-    normal: Place<R>,
-    at: [R; 2],
-) -> (R, [R; 2]) {
+/// Newton's step towards a line.
+struct Step<R> {
+    /// Derivatives of the place by the coordinates of the cell [L].
+    tangents: [Place<R>; 2],
+    /// Their area across the line [L2].
+    across: R,
+    /// The step, to be taken off [1].
+    by: [R; 2],
+}
+
+fn step<R: Real>(face: &FacePlaces<R>, from: Place<R>, normal: Place<R>, at: [R; 2]) -> Step<R> {
     let own = face.shapes(at);
-    let [first, second] = own.slope.map(|slope| face.blend(&slope));
+    let tangents = own.slope.map(|slope| face.blend(&slope));
     let off = sub(face.blend(&own.value), from);
-    let across = dot(cross(first, second), normal);
-    let by = [dot(cross(off, second), normal), dot(cross(first, off), normal)];
-    (across, by.map(|own| own / across))
+    let across = dot(cross(tangents[0], tangents[1]), normal);
+    let by = [dot(cross(off, tangents[1]), normal), dot(cross(tangents[0], off), normal)];
+    Step { tangents, across, by: by.map(|own| own / across) }
 }
 
 /// What `by` . d eta is by the vector that faced places move along: d eta . by = w . (d x - d y).
