@@ -4,10 +4,10 @@ use super::element_type::{Kinematics, Undeformed};
 use super::section::{BeamSection, Section, SpringSection, SpringWay};
 use crate::dialect::Dialect;
 use slideline_mech::element::heated::Heated;
-use slideline_mech::element::solid::{Formulation, Interpolation, Recipe, Solids, Told};
+use slideline_mech::element::solid::{Formulation, Interpolation, Recipe, Told};
 use slideline_mech::element::{
     AxialSpring, Bar, Beam21, Beam22, Beam23, DirectedSpring, GroundSpring, HeatedBeams, Instances,
-    Kernel, RadialSpring, RelativeSpring, SpaceBeam, SpaceBeams, SpringLaw, Trusses,
+    Kernel, RadialSpring, RelativeSpring, SpaceBeam, SpaceBeams, SpringLaw,
 };
 use slideline_mech::section::{
     BeamStiffness, SpaceStiffness, TransverseShear, space_stiffness, stiffness,
@@ -152,24 +152,19 @@ fn unit<const D: usize>([from, to]: [[f64; D]; 2]) -> [f64; D] {
 }
 
 /// Trusses of a row: the thickness of their section is its area.
-pub(super) fn truss<const D: usize, const N: usize, const P: usize>(
-    block: &Undeformed<'_>,
-    _room: Kept,
-) -> Kept {
+pub(super) fn truss(block: &Undeformed<'_>, _room: Kept) -> Kept {
     let Section::Solid(section) = block.section else { return None };
     let told = match block.dialect {
         Dialect::Abaqus => Told::Logarithmic,
         Dialect::Calculix => Told::Green,
     };
     let bar = Bar { material: section.material.clone(), area: section.thickness, told };
-    Some(Box::new(Trusses::<D, N, P>::new(bar, block.positions::<D, N>())?))
+    let numbers = [block.kind.dofs.len(), block.kind.cell.nodes];
+    slideline_kernels::trusses(bar, numbers, block.nodes)
 }
 
 /// Solids of a row; what they do about locking is a matter of the dialect.
-pub(super) fn solid<const D: usize, const N: usize, const P: usize>(
-    block: &Undeformed<'_>,
-    _room: Kept,
-) -> Kept {
+pub(super) fn solid(block: &Undeformed<'_>, _room: Kept) -> Kept {
     let Section::Solid(section) = block.section else { return None };
     let Kinematics::Solid { strains, formulation, rule } = block.kind.kinematics else {
         return None;
@@ -189,8 +184,7 @@ pub(super) fn solid<const D: usize, const N: usize, const P: usize>(
         orientation: section.orientation.as_ref().map(|all| all.chosen(block.members)),
         temperatures: interpolation(block, formulation),
     };
-    let solids = Solids::<D, N, P>::new(recipe, block.positions::<D, N>())?;
-    Some(Box::new(solids))
+    slideline_kernels::solids(recipe, block.nodes)
 }
 
 /// How temperatures reach the points: docs/theory.md section 3.7. CalculiX has a mean in linear

@@ -68,7 +68,7 @@ fn states(
 
 macro_rules! rows {
     ($($(#[$doc:meta])* $name:ident: $cell:ident, $rule:ident, $strains:ident, $formulation:ident / $other:ident,
-       $dimension:literal, $nodes:literal, $points:literal;)*) => {
+       $dimension:literal, $points:literal;)*) => {
         /// The rows of solids.
         pub mod types {
             use super::*;
@@ -99,7 +99,7 @@ macro_rules! rows {
                     at_nodes: |points, components, nodes| {
                         $rule.carry(points, components, &$cell, nodes);
                     },
-                    kernel: kernels::solid::<$dimension, $nodes, $points>,
+                    kernel: kernels::solid,
                 };
             )*
         }
@@ -110,73 +110,73 @@ macro_rules! rows {
 
 rows! {
     /// Quadrilateral in plane strain, one pressure an element; four of them in CalculiX.
-    CPE4: QUAD4, QUAD_4, PlaneStrain, MeanDilation / Plain, 2, 4, 4;
+    CPE4: QUAD4, QUAD_4, PlaneStrain, MeanDilation / Plain, 2, 4;
     /// Quadrilateral in plane strain with incompatible modes.
-    CPE4I: QUAD4, QUAD_4, PlaneStrain, Incompatible / Incompatible, 2, 4, 4;
+    CPE4I: QUAD4, QUAD_4, PlaneStrain, Incompatible / Incompatible, 2, 4;
     /// Quadrilateral in plane strain of one point, with hourglass control.
-    CPE4R: QUAD4, QUAD_1, PlaneStrain, Hourglass / Hourglass, 2, 4, 1;
+    CPE4R: QUAD4, QUAD_1, PlaneStrain, Hourglass / Hourglass, 2, 1;
     /// Quadrilateral in plane strain, hybrid: one pressure an element.
-    CPE4H: QUAD4, QUAD_4, PlaneStrain, MeanDilation / MeanDilation, 2, 4, 4;
+    CPE4H: QUAD4, QUAD_4, PlaneStrain, MeanDilation / MeanDilation, 2, 4;
     /// Triangle in plane strain.
-    CPE3: TRI3, TRI_1, PlaneStrain, Plain / Plain, 2, 3, 1;
+    CPE3: TRI3, TRI_1, PlaneStrain, Plain / Plain, 2, 1;
     /// Quadratic triangle in plane strain.
-    CPE6: TRI6, TRI_3, PlaneStrain, Plain / Plain, 2, 6, 3;
+    CPE6: TRI6, TRI_3, PlaneStrain, Plain / Plain, 2, 3;
     /// Quadratic quadrilateral in plane strain.
-    CPE8: QUAD8, QUAD_9, PlaneStrain, Plain / Plain, 2, 8, 9;
+    CPE8: QUAD8, QUAD_9, PlaneStrain, Plain / Plain, 2, 9;
     /// Quadratic quadrilateral in plane strain of four points.
-    CPE8R: QUAD8, QUAD_4, PlaneStrain, Plain / Plain, 2, 8, 4;
+    CPE8R: QUAD8, QUAD_4, PlaneStrain, Plain / Plain, 2, 4;
     /// Triangle in plane stress.
-    CPS3: TRI3, TRI_1, PlaneStress, Plain / Plain, 2, 3, 1;
+    CPS3: TRI3, TRI_1, PlaneStress, Plain / Plain, 2, 1;
     /// Quadrilateral in plane stress.
-    CPS4: QUAD4, QUAD_4, PlaneStress, Plain / Plain, 2, 4, 4;
+    CPS4: QUAD4, QUAD_4, PlaneStress, Plain / Plain, 2, 4;
     /// Quadrilateral in plane stress with incompatible modes.
-    CPS4I: QUAD4, QUAD_4, PlaneStress, Incompatible / Incompatible, 2, 4, 4;
+    CPS4I: QUAD4, QUAD_4, PlaneStress, Incompatible / Incompatible, 2, 4;
     /// Quadrilateral in plane stress of one point, with hourglass control.
-    CPS4R: QUAD4, QUAD_1, PlaneStress, Hourglass / Hourglass, 2, 4, 1;
+    CPS4R: QUAD4, QUAD_1, PlaneStress, Hourglass / Hourglass, 2, 1;
     /// Quadratic triangle in plane stress.
-    CPS6: TRI6, TRI_3, PlaneStress, Plain / Plain, 2, 6, 3;
+    CPS6: TRI6, TRI_3, PlaneStress, Plain / Plain, 2, 3;
     /// Quadratic quadrilateral in plane stress.
-    CPS8: QUAD8, QUAD_9, PlaneStress, Plain / Plain, 2, 8, 9;
+    CPS8: QUAD8, QUAD_9, PlaneStress, Plain / Plain, 2, 9;
     /// Quadratic quadrilateral in plane stress of four points.
-    CPS8R: QUAD8, QUAD_4, PlaneStress, Plain / Plain, 2, 8, 4;
+    CPS8R: QUAD8, QUAD_4, PlaneStress, Plain / Plain, 2, 4;
     /// Triangular ring.
-    CAX3: TRI3, TRI_1, Axisymmetric, Plain / Plain, 2, 3, 1;
+    CAX3: TRI3, TRI_1, Axisymmetric, Plain / Plain, 2, 1;
     /// Quadrilateral ring, one pressure an element; four of them in CalculiX.
-    CAX4: QUAD4, QUAD_4, Axisymmetric, MeanDilation / Plain, 2, 4, 4;
+    CAX4: QUAD4, QUAD_4, Axisymmetric, MeanDilation / Plain, 2, 4;
     /// Quadrilateral ring with incompatible modes.
-    CAX4I: QUAD4, QUAD_4, Axisymmetric, Incompatible / Incompatible, 2, 4, 4;
+    CAX4I: QUAD4, QUAD_4, Axisymmetric, Incompatible / Incompatible, 2, 4;
     /// Quadrilateral ring of one point, with hourglass control.
-    CAX4R: QUAD4, QUAD_1, Axisymmetric, Hourglass / Hourglass, 2, 4, 1;
+    CAX4R: QUAD4, QUAD_1, Axisymmetric, Hourglass / Hourglass, 2, 1;
     /// Quadrilateral ring, hybrid: one pressure an element.
-    CAX4H: QUAD4, QUAD_4, Axisymmetric, MeanDilation / MeanDilation, 2, 4, 4;
+    CAX4H: QUAD4, QUAD_4, Axisymmetric, MeanDilation / MeanDilation, 2, 4;
     /// Quadratic triangular ring.
-    CAX6: TRI6, TRI_3, Axisymmetric, Plain / Plain, 2, 6, 3;
+    CAX6: TRI6, TRI_3, Axisymmetric, Plain / Plain, 2, 3;
     /// Quadratic quadrilateral ring.
-    CAX8: QUAD8, QUAD_9, Axisymmetric, Plain / Plain, 2, 8, 9;
+    CAX8: QUAD8, QUAD_9, Axisymmetric, Plain / Plain, 2, 9;
     /// Quadratic quadrilateral ring of four points.
-    CAX8R: QUAD8, QUAD_4, Axisymmetric, Plain / Plain, 2, 8, 4;
+    CAX8R: QUAD8, QUAD_4, Axisymmetric, Plain / Plain, 2, 4;
     /// Tetrahedron.
-    C3D4: TET4, TET_1, Space, Plain / Plain, 3, 4, 1;
+    C3D4: TET4, TET_1, Space, Plain / Plain, 3, 1;
     /// Tetrahedron, hybrid: its one pressure is that of its one point.
-    C3D4H: TET4, TET_1, Space, Plain / Plain, 3, 4, 1;
+    C3D4H: TET4, TET_1, Space, Plain / Plain, 3, 1;
     /// Wedge.
-    C3D6: WEDGE6, WEDGE_AXIS_2, Space, Plain / Plain, 3, 6, 2;
+    C3D6: WEDGE6, WEDGE_AXIS_2, Space, Plain / Plain, 3, 2;
     /// Hexahedron, one pressure an element; eight of them in CalculiX.
-    C3D8: HEX8, HEX_8, Space, MeanDilation / Plain, 3, 8, 8;
+    C3D8: HEX8, HEX_8, Space, MeanDilation / Plain, 3, 8;
     /// Hexahedron with incompatible modes.
-    C3D8I: HEX8, HEX_8, Space, Incompatible / Incompatible, 3, 8, 8;
+    C3D8I: HEX8, HEX_8, Space, Incompatible / Incompatible, 3, 8;
     /// Hexahedron of one point, with hourglass control.
-    C3D8R: HEX8, HEX_1, Space, Hourglass / SoftHourglass, 3, 8, 1;
+    C3D8R: HEX8, HEX_1, Space, Hourglass / SoftHourglass, 3, 1;
     /// Hexahedron, hybrid: one pressure an element.
-    C3D8H: HEX8, HEX_8, Space, MeanDilation / MeanDilation, 3, 8, 8;
+    C3D8H: HEX8, HEX_8, Space, MeanDilation / MeanDilation, 3, 8;
     /// Quadratic tetrahedron.
-    C3D10: TET10, TET_4, Space, Plain / Plain, 3, 10, 4;
+    C3D10: TET10, TET_4, Space, Plain / Plain, 3, 4;
     /// Quadratic tetrahedron, hybrid: one pressure an element.
-    C3D10H: TET10, TET_4, Space, MeanDilation / MeanDilation, 3, 10, 4;
+    C3D10H: TET10, TET_4, Space, MeanDilation / MeanDilation, 3, 4;
     /// Quadratic wedge.
-    C3D15: WEDGE15, WEDGE_3X3, Space, Plain / Plain, 3, 15, 9;
+    C3D15: WEDGE15, WEDGE_3X3, Space, Plain / Plain, 3, 9;
     /// Quadratic hexahedron.
-    C3D20: HEX20, HEX_27, Space, Plain / Plain, 3, 20, 27;
+    C3D20: HEX20, HEX_27, Space, Plain / Plain, 3, 27;
     /// Quadratic hexahedron of eight points.
-    C3D20R: HEX20, HEX_8, Space, Plain / Plain, 3, 20, 8;
+    C3D20R: HEX20, HEX_8, Space, Plain / Plain, 3, 8;
 }

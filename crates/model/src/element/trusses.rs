@@ -37,7 +37,7 @@ pub mod types {
         states: |section| bar_states(section, 1),
         fields: TRUSS_FIELDS,
         at_nodes: mean_at_nodes,
-        kernel: kernels::truss::<2, 2, 1>,
+        kernel: kernels::truss,
     };
 
     /// Three-node truss in the plane: end, middle, end.
@@ -46,23 +46,12 @@ pub mod types {
         cell: &LINE3,
         points: 2,
         states: |section| bar_states(section, 2),
-        kernel: kernels::truss::<2, 3, 2>,
         ..T2D2
     };
 
     /// Two-node truss in space.
-    pub static T3D2: ElementType = ElementType {
-        names: ["T3D2"; 2],
-        dofs: IN_SPACE,
-        kernel: kernels::truss::<3, 2, 1>,
-        ..T2D2
-    };
+    pub static T3D2: ElementType = ElementType { names: ["T3D2"; 2], dofs: IN_SPACE, ..T2D2 };
 
     /// Three-node truss in space: end, middle, end.
-    pub static T3D3: ElementType = ElementType {
-        names: ["T3D3"; 2],
-        dofs: IN_SPACE,
-        kernel: kernels::truss::<3, 3, 2>,
-        ..T2D3
-    };
+    pub static T3D3: ElementType = ElementType { names: ["T3D3"; 2], dofs: IN_SPACE, ..T2D3 };
 }

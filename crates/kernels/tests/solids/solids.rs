@@ -9,7 +9,7 @@ use slideline_mech::element::quadrature::{
     WEDGE_3X3, WEDGE_AXIS_2,
 };
 use slideline_mech::element::solid::{
-    Formulation, Interpolation, Kinematics, Recipe, Solids, Told, smallest_jacobian, states,
+    Formulation, Interpolation, Kinematics, Recipe, Told, smallest_jacobian, states,
 };
 use slideline_mech::element::{Failure, Kernel, Response, Strains};
 use slideline_mech::material::{Elastic, LargeStrain, Material, Plastic, Rubber};
@@ -101,14 +101,6 @@ fn nodes(cell: &Cell, distortion: f64) -> Vec<[f64; 3]> {
 }
 
 fn kernel(kind: &Kind, material: &Material, nodes: &[[f64; 3]]) -> Box<dyn Kernel> {
-    fn made<const D: usize, const N: usize, const P: usize>(
-        recipe: Recipe,
-        nodes: &[[f64; 3]],
-    ) -> Box<dyn Kernel> {
-        let element: [[f64; D]; N] =
-            std::array::from_fn(|a| std::array::from_fn(|axis| nodes[a][axis]));
-        Box::new(Solids::<D, N, P>::new(recipe, [element].into_iter()).unwrap())
-    }
     let (cell, rule, kinematics, formulation, _) = *kind;
     let material = material.clone();
     let told = Told::Logarithmic;
@@ -129,23 +121,7 @@ fn kernel(kind: &Kind, material: &Material, nodes: &[[f64; 3]]) -> Box<dyn Kerne
         orientation,
         temperatures,
     };
-    match (cell.dimension, cell.nodes, rule.points.len()) {
-        (2, 3, 1) => made::<2, 3, 1>(recipe, nodes),
-        (2, 6, 3) => made::<2, 6, 3>(recipe, nodes),
-        (2, 4, 4) => made::<2, 4, 4>(recipe, nodes),
-        (2, 4, 1) => made::<2, 4, 1>(recipe, nodes),
-        (2, 8, 9) => made::<2, 8, 9>(recipe, nodes),
-        (2, 8, 4) => made::<2, 8, 4>(recipe, nodes),
-        (3, 4, 1) => made::<3, 4, 1>(recipe, nodes),
-        (3, 10, 4) => made::<3, 10, 4>(recipe, nodes),
-        (3, 6, 2) => made::<3, 6, 2>(recipe, nodes),
-        (3, 15, 9) => made::<3, 15, 9>(recipe, nodes),
-        (3, 8, 8) => made::<3, 8, 8>(recipe, nodes),
-        (3, 8, 1) => made::<3, 8, 1>(recipe, nodes),
-        (3, 20, 27) => made::<3, 20, 27>(recipe, nodes),
-        (3, 20, 8) => made::<3, 20, 8>(recipe, nodes),
-        other => panic!("{other:?}"),
-    }
+    slideline_kernels::solids(recipe, nodes).unwrap()
 }
 
 pub(super) struct Answer {

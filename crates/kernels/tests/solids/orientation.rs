@@ -8,7 +8,7 @@ use slideline_mech::element::quadrature::{HEX_8, QUAD_4, Quadrature, TET_4};
 use slideline_mech::element::solid::Formulation::{self, Incompatible, MeanDilation, Plain};
 use slideline_mech::element::solid::Kinematics::{self, Axisymmetric, PlaneStress, Space};
 use slideline_mech::element::solid::{Recipe, Told, states};
-use slideline_mech::element::{Kernel, Response, Solids, Strains};
+use slideline_mech::element::{Kernel, Response, Strains};
 use slideline_mech::material::{Anisotropic, LargeStrain, Material, Unsound};
 use slideline_mech::orientation::{Basis, Orientation, Orientations};
 
@@ -49,13 +49,6 @@ fn nodes(cell: &Cell) -> Vec<[f64; 3]> {
 }
 
 fn kernel(kind: &Kind, orientation: Option<Orientation>, nodes: &[[f64; 3]]) -> Box<dyn Kernel> {
-    fn made<const D: usize, const N: usize, const P: usize>(
-        recipe: Recipe,
-        nodes: &[[f64; 3]],
-    ) -> Box<dyn Kernel> {
-        let element: [[f64; D]; N] = std::array::from_fn(|a| std::array::from_fn(|k| nodes[a][k]));
-        Box::new(Solids::<D, N, P>::new(recipe, [element].into_iter()).unwrap())
-    }
     let (cell, rule, kinematics, formulation) = *kind;
     let (material, told, thickness) = (ply(), Told::Green, 0.5);
     let temperatures = Default::default();
@@ -70,12 +63,7 @@ fn kernel(kind: &Kind, orientation: Option<Orientation>, nodes: &[[f64; 3]]) -> 
         orientation: orientation.map(Orientations::All),
         temperatures,
     };
-    match cell.nodes {
-        4 => made::<2, 4, 4>(recipe, nodes),
-        8 => made::<3, 8, 8>(recipe, nodes),
-        10 => made::<3, 10, 4>(recipe, nodes),
-        _ => made::<3, 20, 8>(recipe, nodes),
-    }
+    slideline_kernels::solids(recipe, nodes).unwrap()
 }
 
 /// Energy, force and tangent.

@@ -3,9 +3,7 @@
 
 use slideline_mech::element::cell::{HEX8, QUAD4};
 use slideline_mech::element::quadrature::{HEX_1, QUAD_1};
-use slideline_mech::element::solid::{
-    Formulation, Interpolation, Kinematics, Recipe, Solids, Told,
-};
+use slideline_mech::element::solid::{Formulation, Interpolation, Kinematics, Recipe, Told};
 use slideline_mech::element::{Kernel, Strains};
 use slideline_mech::material::{Elastic, LargeStrain, Material};
 use slideline_mech::rotation::displacement;
@@ -37,14 +35,12 @@ fn recipe(kinematics: Kinematics, poisson: f64) -> Recipe {
 }
 
 fn brick(nodes: &[[f64; 3]], poisson: f64) -> Box<dyn Kernel> {
-    let element: [[f64; 3]; 8] = std::array::from_fn(|a| nodes[a]);
-    let one = [element].into_iter();
-    Box::new(Solids::<3, 8, 1>::new(recipe(Kinematics::Space, poisson), one).unwrap())
+    slideline_kernels::solids(recipe(Kinematics::Space, poisson), nodes).unwrap()
 }
 
 fn quadrilateral(nodes: &[[f64; 2]; 4], kinematics: Kinematics, poisson: f64) -> Box<dyn Kernel> {
-    let one = [*nodes].into_iter();
-    Box::new(Solids::<2, 4, 1>::new(recipe(kinematics, poisson), one).unwrap())
+    let nodes = nodes.map(|[x, y]| [x, y, 0.0]);
+    slideline_kernels::solids(recipe(kinematics, poisson), &nodes).unwrap()
 }
 
 fn block(sides: [f64; 3]) -> Vec<[f64; 3]> {
