@@ -282,6 +282,14 @@ fn is_a_value(piece: &str) -> bool {
     piece.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
 }
 
+/// Whether the lines of a keyword are names of what is to be written: without a value they are no parameters, and a comma
+/// before them is one too many.
+fn asks_by_name(text: &str, first: RawLine) -> bool {
+    let line = &text[first.start..first.content_end];
+    let name = line.split(',').next().unwrap_or_default().trim().to_ascii_uppercase();
+    [" FILE", " PRINT", " OUTPUT"].iter().any(|last| name.ends_with(last))
+}
+
 /// The lines of a keyword that ends in commas; and whether the last comma
 /// promises a continuation that does not come.
 fn continued(text: &str, first: RawLine) -> (Vec<RawLine>, bool) {
@@ -293,7 +301,9 @@ fn continued(text: &str, first: RawLine) -> (Vec<RawLine>, bool) {
         }
         let next = line_at(text, last.end);
         let content = strip(&text[next.start..next.content_end]);
-        let value = content.starts_with(',') || content.split(',').any(is_a_value);
+        let value = content.starts_with(',')
+            || content.split(',').any(is_a_value)
+            || (asks_by_name(text, first) && !content.contains('='));
         let size = next.content_end - first.start;
         if look(content) != Look::Data || value || size > MAX_LINE_BYTES {
             return (lines, true);

@@ -249,6 +249,7 @@ catalogue! {
     "SL0624" "a beam pulled by much of its shear stiffness"
     "SL0625" "a beam pulled by nearly its shear stiffness or more"
     "SL0626" "rounds in one another whose straight faces are not alike"
+    "SL0627" "a slave node in the part of its master"
     "SL0701" "the deck cannot be read"
     "SL0702" "results cannot be written"
     "SL0703" "the deck includes a file that is a result of the same job"

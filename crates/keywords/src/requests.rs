@@ -10,7 +10,7 @@
 
 use slideline_deck::Field;
 use slideline_diag::{Code, Diagnostic, Span};
-use slideline_model::{PrintTarget, Request, Totals};
+use slideline_model::{Dialect, PrintTarget, Request, Totals};
 
 use crate::draft::Draft;
 use crate::reading::Reading;
@@ -72,6 +72,11 @@ pub(crate) trait Variable: Copy + PartialEq + 'static {
 
     /// The variable, or the one that a component such as `RF2` belongs to.
     fn named(text: &str) -> Option<Self>;
+
+    /// What CalculiX takes it for.
+    fn in_calculix(self) -> Self {
+        self
+    }
 }
 
 /// What a card asks for.
@@ -172,7 +177,11 @@ fn variables<V: Variable>(
     let mut found = Vec::new();
     let fields = card.data().iter().flat_map(|line| &line.fields);
     for field in fields.filter(|field| !field.text.is_empty()) {
-        match V::named(&field.text) {
+        let named = V::named(&field.text).map(|own| match draft.dialect {
+            Dialect::Calculix => own.in_calculix(),
+            Dialect::Abaqus => own,
+        });
+        match named {
             Some(variable) if !found.contains(&variable) => found.push(variable),
             Some(_) => {}
             None if other(&field.text) => {}

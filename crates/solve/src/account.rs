@@ -86,6 +86,7 @@ pub fn account(plan: &Problem<'_>, committed: &State, work: &Scratch, trial: &mu
     if committed.balance_origin.is_none() {
         trial.books.left = from_the_start(plan, committed, trial.books.left);
     }
+    trial.books.unsure = committed.books.unsure.max(unsure(plan, trial));
 }
 
 /// Energy that rounding alone may leave over: the stiffest element rounds as it is moved as far as

@@ -30,6 +30,8 @@ pub struct Books {
     /// Energy that heat added and that bodies which followed it freely took back, or the other way round,
     /// eq. (10.8).
     pub heat: f64,
+    /// The most that energies said nothing about, eq. (10.10).
+    pub unsure: f64,
     /// Energy that the model held before and after the last increment.
     pub held: (f64, f64),
     /// The least and the most that it held.

@@ -55,6 +55,7 @@ mod slave_face;
 mod slip;
 mod stand;
 mod stencil;
+mod strayed;
 mod tangent;
 mod thicknesses;
 mod unseen;

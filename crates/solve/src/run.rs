@@ -15,6 +15,7 @@ mod sensitivities;
 mod shown;
 mod sliding_off;
 mod steps;
+mod strayed;
 mod telling;
 mod turned_means;
 

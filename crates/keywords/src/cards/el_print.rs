@@ -105,4 +105,13 @@ impl Variable for ElementVariable {
             _ => None,
         }
     }
+
+    /// It has no components of what has yielded and crept, and writes how much that is.
+    fn in_calculix(self) -> Self {
+        match self {
+            Self::PE => Self::PEEQ,
+            Self::CE => Self::CEEQ,
+            own => own,
+        }
+    }
 }

@@ -104,8 +104,8 @@ fn linear(card: &Reading<'_>, draft: &mut Draft) -> Option<NormalLaw> {
     let calculix = draft.dialect == Dialect::Calculix;
     draft.log.at_most(line, if calculix { 3 } else { 1 });
     if let Some(field) = line.field(2).filter(|_| calculix) {
-        let message = "the distance at which contact is looked for (c0) has no effect: whatever is \
-                       near is looked at";
+        let message = "the distance up to which open surfaces pull (c0) has no effect: what is open \
+                       carries nothing";
         draft.log.note("SL0257", message, field.span);
     }
     let stiffness = draft.log.number(line, 0, "the stiffness K")?;
@@ -117,7 +117,7 @@ fn linear(card: &Reading<'_>, draft: &mut Draft) -> Option<NormalLaw> {
     }
     // rounded law: p = K h (1/2 + atan(h/e)/pi), e = pi pull/K; without a pull its corner is sharp
     Some(match tension.filter(|tension| *tension > 0.0) {
-        Some(tension) => NormalLaw::CalculixLinear { stiffness, tension },
+        Some(tension) => NormalLaw::CalculixLinear { stiffness, tension, pulls: false },
         None => NormalLaw::Linear { stiffness },
     })
 }

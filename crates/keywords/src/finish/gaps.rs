@@ -167,7 +167,7 @@ fn law(
     if draft.dialect == Dialect::Calculix {
         let stiffness = gap.stiffness.unwrap_or(CALCULIX_STIFFNESS);
         let tension = gap.tension.unwrap_or(CALCULIX_TENSION);
-        return Some(NormalLaw::CalculixLinear { stiffness, tension });
+        return Some(NormalLaw::CalculixLinear { stiffness, tension, pulls: true });
     }
     if let Some(stiffness) = gap.stiffness {
         return Some(NormalLaw::Linear { stiffness });

@@ -118,9 +118,10 @@ pub fn normal_law(law: &NormalLaw) -> String {
             number(*clearance),
             number(*pressure)
         ),
-        NormalLaw::CalculixLinear { stiffness, tension } => format!(
-            "linear as CalculiX has it: p = K h (1/2 + atan(h/eps)/pi), K = {}, pulls up to {}",
+        NormalLaw::CalculixLinear { stiffness, tension, pulls } => format!(
+            "linear as CalculiX has it: p = K h (1/2 + atan(h/eps)/pi), K = {}, {} {}",
             number(*stiffness),
+            if *pulls { "pulls up to" } else { "nothing where open; less than K h by up to" },
             number(*tension)
         ),
         NormalLaw::Bonded { stiffness } => {

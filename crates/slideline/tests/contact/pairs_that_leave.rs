@@ -130,7 +130,7 @@ fn laws_are_those_of_calculix() {
     let (faces, nodes) = ("SURFACE TO SURFACE", "NODE TO SURFACE");
     let ccx = Dialect::Calculix;
     assert_eq!(read(faces, linear, ccx), (NormalLaw::Linear { stiffness }, false));
-    let pulls = NormalLaw::CalculixLinear { stiffness, tension };
+    let pulls = NormalLaw::CalculixLinear { stiffness, tension, pulls: false };
     assert_eq!(read(nodes, linear, ccx), (pulls, false));
     assert_eq!(read(nodes, "", ccx), (NormalLaw::Hard, true));
     assert_eq!(read(nodes, "", Dialect::Abaqus), (NormalLaw::Hard, false));

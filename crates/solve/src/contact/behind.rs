@@ -163,7 +163,9 @@ impl Contact {
             {
                 let start = self.slave(point, 0.0, from).position;
                 if !self.enters(point, (start, now.position), (from, u)) {
-                    kinematics.at_mut(place).turn_away_in_place();
+                    let mut own = kinematics.at_mut(place);
+                    own.turn_away_in_place();
+                    own.point.behind = now.overclosure - self.offsets[point.pair].both();
                 }
             }
         }

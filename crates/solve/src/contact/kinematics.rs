@@ -40,6 +40,8 @@ pub struct PointKinematics {
     pub overclosure: f64,
     /// What is allowed [L].
     pub allowed: f64,
+    /// How far it stands behind a master to which it came beyond an end of that; zero of all others [L].
+    pub behind: f64,
     /// Coordinates along the master [L].
     pub along: Tangential,
     /// Outward normal of the master [1].
@@ -150,6 +152,7 @@ impl PointKinematics {
         faces: false,
         overclosure: f64::NEG_INFINITY,
         allowed: 0.0,
+        behind: 0.0,
         along: Tangential::ZERO,
         normal: [0.0; 3],
         position: [0.0; 3],
@@ -229,6 +232,7 @@ impl PointRowsMut<'_> {
         self.point.faces = false;
         self.point.facing = None;
         self.point.footing = None;
+        self.point.behind = 0.0;
         (self.point.overclosure, self.point.allowed) = (f64::NEG_INFINITY, 0.0);
         self.rows.clear();
     }

@@ -3,7 +3,7 @@
 use super::case::{Case, reason, step_card};
 use crate::increments::StopReason;
 use slideline_diag::{Code, Diagnostic, Place};
-use slideline_model::Friction;
+use slideline_model::{Friction, NormalLaw};
 
 impl Case<'_> {
     pub(super) fn unknown(&self) -> Diagnostic {
@@ -30,9 +30,14 @@ impl Case<'_> {
         );
         let said = Diagnostic::error(Code("SL0501"), message).at(self.plan.step.origin);
         let model = self.plan.model;
-        let contact = match model.contact_pairs.is_empty() {
-            true => String::new(),
-            false => format!(", or soften the contact with {}", model.vocabulary().softened()),
+        let mut laws = model.contact_pairs.iter().map(|pair| &pair.interaction.normal);
+        let contact = if laws.any(|law| *law == NormalLaw::Hard) {
+            format!(", or soften the contact with {}", model.vocabulary().softened())
+        } else if model.contact_pairs.is_empty() {
+            String::new()
+        } else {
+            ", or round sharp corners of what touches, mesh them finer, or make the law of the contact softer"
+                .to_owned()
         };
         said.help(format!(
             "the results up to that time are kept; let *STATIC start with a shorter increment \

@@ -68,6 +68,7 @@ impl Analysis<'_> {
             told = told.and(self.judge_overpulled(plan));
         }
         told = told.and(self.judge_room(plan)).and(self.judge_edges(plan, work));
+        told = told.and(self.judge_strayed(plan, work));
         told = told.and(self.judge_means(plan));
         if let Some(jumped) = &jumped {
             told = told.and(self.tell(Event::Diagnosed(jumped)));

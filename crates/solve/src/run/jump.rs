@@ -14,7 +14,7 @@ mod part;
 mod search;
 
 use super::analysis::{Analysis, Left};
-use crate::account::{rounding, unsure};
+use crate::account::rounding;
 use crate::books::{Books, Sudden};
 use crate::newton::Scratch;
 use crate::newton::recall_points;
@@ -76,11 +76,11 @@ impl Analysis<'_> {
             return Ok(());
         }
         let books = self.committed.books;
-        let unsure = unsure(plan, self.committed);
-        let much = MUCH * books.turned_over + unsure;
+        // a model that is back where it began has rounded on its way
+        let much = MUCH * books.turned_over + books.unsure;
         let said = if books.unbalanced() > much {
             unbalanced(plan, &books)
-        } else if books.missed() > MISSED && books.sudden.missed > unsure {
+        } else if books.missed() > MISSED && books.sudden.missed > books.unsure {
             stepped_over(plan, &books)
         } else {
             return Ok(());

@@ -43,13 +43,15 @@ pub enum NormalLaw {
         /// Pressure at zero clearance, p0 [F/L2].
         pressure: f64,
     },
-    /// CalculiX dialect: p = K h [1/2 + atan(h/eps)/pi], eps = pi tension/K: pulls slightly when
-    /// open, by at most `tension`.
+    /// CalculiX dialect: p = K h [1/2 + atan(h/eps)/pi], eps = pi tension/K: below K h by `tension` where it is well
+    /// closed.
     CalculixLinear {
         /// Stiffness per area K [F/L3].
         stiffness: f64,
         /// Largest pull sigma_inf [F/L2].
         tension: f64,
+        /// Whether it pulls when open, by at most `tension`, however far: gap elements do, surfaces do not.
+        pulls: bool,
     },
     /// Pairs (pressure [F/L2], overclosure [L]) ascending in overclosure, pressures not descending,
     /// at least two; zero below the first, last slope continued.
@@ -99,9 +101,11 @@ impl NormalLaw {
                 let (p, slope, _) = exponential::calculix(h / clearance);
                 Some((pressure * p, pressure / clearance * slope))
             }
-            Self::CalculixLinear { stiffness, tension } => {
-                Some(calculix_linear(*stiffness, *tension, h))
-            }
+            Self::CalculixLinear { stiffness, tension, pulls } => Some(if *pulls || h > 0.0 {
+                calculix_linear(*stiffness, *tension, h)
+            } else {
+                (0.0, 0.0)
+            }),
             Self::Tabular(pairs) => Some(tabular::pressure(pairs, h)),
         }
     }
@@ -122,7 +126,8 @@ impl NormalLaw {
             Self::CalculixExponential { clearance, pressure } => {
                 pressure * clearance * exponential::calculix(h / clearance).2
             }
-            Self::CalculixLinear { stiffness, tension } => {
+            Self::CalculixLinear { pulls: false, .. } if h <= 0.0 => 0.0,
+            Self::CalculixLinear { stiffness, tension, .. } => {
                 let eps = PI * tension / stiffness;
                 let x = h / eps;
                 let inner = 0.25 * x * x + (0.5 * (x * x + 1.0) * x.atan() - 0.5 * x) / PI;
@@ -133,11 +138,11 @@ impl NormalLaw {
     }
 
     /// Inverse law: overclosure h [L] and dh/dp [L3/F] that carry the pressure p. `None` where no
-    /// single overclosure carries it: p <= 0 (the CalculiX linear law goes down to -tension), or a
+    /// single overclosure carries it: p <= 0 (the CalculiX linear law of gaps goes down to -tension), or a
     /// level stretch of a table. Hard: (0, 0).
     pub fn overclosure(&self, pressure: f64) -> Option<(f64, f64)> {
         let lowest = match self {
-            Self::CalculixLinear { tension, .. } => -tension,
+            Self::CalculixLinear { tension, pulls: true, .. } => -tension,
             Self::Bonded { .. } => f64::NEG_INFINITY,
             _ => 0.0,
         };
@@ -157,7 +162,7 @@ impl NormalLaw {
                 let (h, slope) = exponential::calculix_inverse(pressure / p0);
                 Some((clearance * h, clearance / p0 * slope))
             }
-            Self::CalculixLinear { stiffness, tension } => {
+            Self::CalculixLinear { stiffness, tension, .. } => {
                 invert_calculix_linear(*stiffness, *tension, pressure)
             }
             Self::Tabular(pairs) => tabular::inverse(pairs, pressure),
@@ -166,7 +171,7 @@ impl NormalLaw {
 
     /// The overclosure above which contact carries pressure [L]: -c0 for both exponential laws (the
     /// CalculiX one has no spring beyond c0), the first overclosure of a table at zero pressure, 0
-    /// otherwise (the CalculiX linear law pulls below); minus infinity for what does not separate.
+    /// otherwise (the CalculiX linear law of gaps pulls below); minus infinity for what does not separate.
     pub fn contact_begins(&self) -> f64 {
         match self {
             Self::Exponential { clearance, .. } | Self::CalculixExponential { clearance, .. } => {
@@ -209,7 +214,8 @@ impl NormalLaw {
 
     fn resolvent_of_function(&self, z: f64, kappa: f64, near: f64) -> (f64, f64) {
         let begins = self.contact_begins();
-        if !matches!(self, Self::CalculixLinear { .. }) {
+        let pulls = matches!(self, Self::CalculixLinear { pulls: true, .. });
+        if !pulls {
             if z <= begins {
                 return (0.0, 0.0);
             }
@@ -223,7 +229,7 @@ impl NormalLaw {
         let (mut p, mut slope) = law(h);
         for _ in 0..100 {
             let step = (h - z + p / kappa) / (1.0 + slope / kappa);
-            let next = if matches!(self, Self::CalculixLinear { .. }) {
+            let next = if pulls {
                 h - step
             } else {
                 // The next double above: with a jump, the law at -c0 itself is zero.

@@ -12,7 +12,8 @@ fn laws() -> Vec<NormalLaw> {
         soft(),
         NormalLaw::Linear { stiffness: 3e11 },
         NormalLaw::CalculixExponential { clearance: C0, pressure: P0 },
-        NormalLaw::CalculixLinear { stiffness: 2e11, tension: 1e5 },
+        NormalLaw::CalculixLinear { stiffness: 2e11, tension: 1e5, pulls: true },
+        NormalLaw::CalculixLinear { stiffness: 2e11, tension: 1e5, pulls: false },
         NormalLaw::Tabular(vec![(0.0, -2e-6), (1e5, 0.0), (1e5, 1e-6), (4e6, 9e-6)]),
     ]
 }
@@ -71,6 +72,20 @@ fn calculix_exponential_law() {
     assert!((law.pressure(C0).unwrap().0 / (100.0 * P0) - 1.0).abs() < 1e-13);
     assert!((law.pressure(-0.999_999_999 * C0).unwrap().0 / (0.01 * P0) - 1.0).abs() < 1e-7);
     assert_eq!(law.pressure(-1.000_001 * C0), Some((0.0, 0.0)));
+}
+
+/// Requirement: the CalculiX linear law of surfaces is that of gaps where it is closed, and nothing where it is open,
+/// without a leap between.
+#[test]
+fn calculix_linear_law() {
+    let law = |pulls| NormalLaw::CalculixLinear { stiffness: 2e11, tension: 1e5, pulls };
+    for h in [1e-9, 1e-7, 3e-6, 1.0] {
+        assert_eq!(law(false).pressure(h), law(true).pressure(h));
+        assert_eq!(law(false).pressure(-h), Some((0.0, 0.0)));
+        assert!(law(true).pressure(-h).unwrap().0 < 0.0);
+    }
+    assert!((law(true).pressure(-1.0).unwrap().0 / -1e5 - 1.0).abs() < 1e-6);
+    assert!(law(false).pressure(1e-18).unwrap().0 < 1e-6 * P0);
 }
 
 /// Requirement: slope is dp/dh and p is dw/dh. Tolerance: central differences of step 1e-6 c0 are

@@ -112,7 +112,7 @@ fn friction_dissipates() {
 /// Requirement: a point that faces nothing carries nothing, also under a law that pulls.
 #[test]
 fn nothing_faces_nothing() {
-    let pulling = NormalLaw::CalculixLinear { stiffness: 1e10, tension: 1e3 };
+    let pulling = NormalLaw::CalculixLinear { stiffness: 1e10, tension: 1e3, pulls: true };
     for normal in [soft(), pulling, NormalLaw::Hard] {
         let laws =
             Laws { normal, friction: FrictionLaw::None, onset: Onset::Immediate, user: None };

@@ -128,7 +128,8 @@ mod tests {
         assert_eq!(linear.answer(3.0), [0.0, 0.0, 0.0]);
         assert_eq!(linear.answer(-0.5), [0.0, 0.0, 8.0]);
         assert_eq!(linear.answer(-0.75), [0.25, -2.0, 8.0]);
-        let calculix = gap(0.5, NormalLaw::CalculixLinear { stiffness: 8.0, tension: 1e-3 });
+        let calculix =
+            gap(0.5, NormalLaw::CalculixLinear { stiffness: 8.0, tension: 1e-3, pulls: true });
         for law in [&linear, &calculix, &gap(-0.2, NormalLaw::Linear { stiffness: 3.0 })] {
             assert_eq!(law.answer(0.0)[0], 0.0);
             for u in [-0.9, -0.51, -0.4999, 0.1, 1.0] {
