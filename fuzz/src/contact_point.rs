@@ -35,7 +35,8 @@ fn laws(v: &[f64]) {
     let laws = [
         NormalLaw::Exponential { clearance: length, pressure },
         NormalLaw::CalculixExponential { clearance: length, pressure },
-        NormalLaw::CalculixLinear { stiffness: pressure, tension: length },
+        NormalLaw::CalculixLinear { stiffness: pressure, tension: length, pulls: true },
+        NormalLaw::CalculixLinear { stiffness: pressure, tension: length, pulls: false },
         NormalLaw::Linear { stiffness: pressure },
         NormalLaw::Tabular(vec![(0.0, -length), (pressure, length), (2.0 * pressure, 1e9)]),
     ];

@@ -54,6 +54,7 @@ mod solid_contact;
 mod space_decks;
 mod stacks;
 mod straight_rounds;
+mod strayed_nodes;
 mod strip;
 mod strip_reference;
 mod supported_slaves;

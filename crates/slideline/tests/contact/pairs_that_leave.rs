@@ -212,3 +212,41 @@ fn general_contact_leaves_with_its_elements() {
         }
     }
 }
+
+/// Requirement: in the dialect of CalculiX a linear law with a pull carries nothing where surfaces are open, however far
+/// (measured with ccx 2.20: nothing beyond c0), and is below K h by the pull where they are closed.
+#[test]
+fn open_surfaces_carry_nothing_in_calculix() {
+    for (in_space, _) in ALL {
+        let up = if in_space { 3 } else { 2 };
+        let deck = format!(
+            "{}*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1e4, 100.0, 0.001\n\
+             *CONTACT PAIR, INTERACTION=I, TYPE=NODE TO SURFACE\nUPPER, LOWER\n{STEP}*BOUNDARY\nLOW, 1, {up}\nHIGH, 1, {up}\n\
+             HIGH, {up}, {up}, 0.1\n*END STEP\n{STEP}*BOUNDARY\nHIGH, {up}, {up}, -0.2\n*END STEP\n",
+            mesh(in_space, 0.0)
+        );
+        let options = ReadOptions { dialect: Some(Dialect::Calculix), ..ReadOptions::default() };
+        let read = Job::read_text("open", &deck, &options);
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("open_in_ccx_{up}"));
+        let _ = std::fs::remove_dir_all(&folder);
+        let run_options = RunOptions { folder: Some(folder.clone()), ..RunOptions::default() };
+        let outcome = run(&read, &run_options, &mut Quiet);
+        assert_eq!(outcome.status, Status::Completed, "{:?}", outcome.diagnostics);
+        let table = std::fs::read_to_string(folder.join("open.pair.csv")).unwrap();
+        let heads: Vec<&str> = table.lines().next().unwrap().split(',').collect();
+        let name = ["force_x", "force_y", "force_z"][up - 1];
+        let column = heads.iter().position(|own| *own == name).unwrap();
+        let force: Vec<f64> = table
+            .lines()
+            .skip(1)
+            .map(|line| line.split(',').nth(column).unwrap().parse().unwrap())
+            .collect();
+        // open by a tenth; then, by halves, pressed by 0.2: blocks of stiffness 1000 in a row with the law
+        assert!(force[..2].iter().all(|own| *own == 0.0), "{force:?}");
+        let last = force.last().unwrap().abs();
+        let over = 0.2 - last / 500.0;
+        let eps = std::f64::consts::PI * 100.0 / 1e4;
+        let law = 1e4 * over * (0.5 + (over / eps).atan() / std::f64::consts::PI);
+        assert!((last / law - 1.0).abs() < 1e-6, "{last} {law}");
+    }
+}

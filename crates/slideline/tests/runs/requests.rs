@@ -625,3 +625,28 @@ fn printed_tables_and_csv_files_say_the_same() {
     assert_eq!(compared, [20 * 5 * 6, 20 * 4 * 8 * beams, 20 * 3 * 6], "{dat}");
     assert!(beams >= 1);
 }
+
+/// Requirement: names of results behind a comma at the end of the card are these, and the comma is told; in the dialect of
+/// CalculiX PE is how much has yielded, as that program writes it.
+#[test]
+fn names_follow_a_comma_at_the_end() {
+    let deck = "*NODE, NSET=ALL\n1, 0.\n2, 1.\n3, 1., 1.\n4, 0., 1.\n*ELEMENT, TYPE=CPS4, ELSET=E\n1, 1, 2, 3, 4\n\
+                *SOLID SECTION, ELSET=E, MATERIAL=M\n*MATERIAL, NAME=M\n*ELASTIC\n200., 0.3\n*PLASTIC\n1., 0.\n2., 1.\n\
+                *BOUNDARY\n1, 1, 2\n4, 1\n2, 2\n*STEP\n*STATIC\n*BOUNDARY\n2, 1, 1, 0.1\n3, 1, 1, 0.1\n*NODE FILE,\nU\n\
+                *EL FILE, \nS, PE\n*EL PRINT, ELSET=E,\nTOTALS=NO\nS\n*END STEP\n";
+    let options = ReadOptions {
+        dialect: Some(slideline::model::Dialect::Calculix),
+        ..ReadOptions::default()
+    };
+    let read = Job::read_text("comma", deck, &options);
+    let folder = folder_of("comma");
+    let options = RunOptions { folder: Some(folder.clone()), ..RunOptions::default() };
+    let outcome = run(&read, &options, &mut Quiet);
+    assert_eq!(outcome.status, Status::Completed, "{:?}", outcome.diagnostics);
+    let commas = read.diagnostics.iter().filter(|own| own.code.0 == "SL0108");
+    assert_eq!(commas.count(), 2, "{:?}", read.diagnostics);
+    let frd = std::fs::read_to_string(folder.join("comma.frd")).unwrap();
+    for block in [" -4  DISP", " -4  STRESS", " -4  PE "] {
+        assert!(frd.contains(block), "{block}");
+    }
+}
