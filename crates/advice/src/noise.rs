@@ -148,9 +148,16 @@ impl Noise {
             pair.follow(frame.model, row, carrier, self.increments);
         }
         let energy = frame.energy.of_the_model();
-        for (place, pair) in self.pairs.iter_mut().enumerate() {
-            let own = frame.contact.iter().filter(|row| row.pair == place);
-            pair.press(own, energy, self.increments);
+        let mut pressed = vec![(0.0, 0.0); self.pairs.len()];
+        for row in frame.contact {
+            if let Some((pair, sums)) = self.pairs.get(row.pair).zip(pressed.get_mut(row.pair)) {
+                let force = row.pressure * row.area;
+                sums.0 += force;
+                sums.1 += force * pair.deeper(row.node);
+            }
+        }
+        for (pair, pressed) in self.pairs.iter_mut().zip(pressed) {
+            pair.press(pressed, energy, self.increments);
         }
     }
 }
@@ -222,7 +229,6 @@ impl Observer for Noise {
 mod tests {
     use super::*;
     use slideline_model::Node;
-    use slideline_solve::observe::ContactRow;
 
     /// Requirement: a history of known noise raises SL0610, the same amplitude
     /// as a smooth wave does not. Closed form: a zigzag of amplitude a over a
@@ -269,8 +275,7 @@ mod tests {
             rows.into_iter().zip(1..).for_each(|(row, k)| pair.follow(&model, row, None, k));
             // twice the energy over the force is the way
             let energy = pressed.unwrap_or_default() / 2.0;
-            let row = ContactRow { pressure: 1.0, area: 1.0, ..ContactRow::default() };
-            pair.press(pressed.iter().map(|_| &row), energy, 2);
+            pair.press((pressed.map_or(0.0, |_| 1.0), 0.0), energy, 2);
             pair.unseen().is_some()
         };
         assert!(said(false, 0.3, None) && !said(false, 3.0, None) && !said(true, 0.3, None));

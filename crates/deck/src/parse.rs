@@ -282,12 +282,41 @@ fn is_a_value(piece: &str) -> bool {
     piece.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
 }
 
-/// Whether the lines of a keyword are names of what is to be written: without a value they are no parameters, and a comma
-/// before them is one too many.
-fn asks_by_name(text: &str, first: RawLine) -> bool {
+/// Parameters without a value of the cards that ask for results, without blanks.
+const REQUEST_FLAGS: [&str; 20] = [
+    "TOTALS",
+    "SUMMARY",
+    "FIELD",
+    "HISTORY",
+    "SECTIONFORCES",
+    "EXTERIOR",
+    "GLOBAL",
+    "LASTITERATIONS",
+    "CONTACTELEMENTS",
+    "CONTACTELEMENT",
+    "OUTPUT",
+    "OUTPUTALL",
+    "SECONDSURFACE",
+    "GENERALCONTACT",
+    "MICROSCALE",
+    "DIAGNOSTIC",
+    "MODELIST",
+    "ALLNODES",
+    "TIMEPOINTS",
+    "POSITION",
+];
+
+/// Whether a line behind the comma of a keyword names what is to be written, which the data lines of some cards do: that
+/// comma is one too many, and no parameters follow.
+fn names_results(text: &str, first: RawLine, content: &str) -> bool {
+    let plain = |piece: &str| -> String {
+        piece.chars().filter(|c| !c.is_whitespace()).collect::<String>().to_ascii_uppercase()
+    };
     let line = &text[first.start..first.content_end];
-    let name = line.split(',').next().unwrap_or_default().trim().to_ascii_uppercase();
-    [" FILE", " PRINT", " OUTPUT"].iter().any(|last| name.ends_with(last))
+    let keyword = plain(line.split(',').next().unwrap_or_default());
+    let asks = ["FILE", "PRINT", "OUTPUT"].iter().any(|last| keyword.ends_with(last));
+    let mut pieces = content.split(',').map(plain).filter(|piece| !piece.is_empty());
+    asks && !pieces.all(|piece| piece.contains('=') || REQUEST_FLAGS.contains(&&piece[..]))
 }
 
 /// The lines of a keyword that ends in commas; and whether the last comma
@@ -303,7 +332,7 @@ fn continued(text: &str, first: RawLine) -> (Vec<RawLine>, bool) {
         let content = strip(&text[next.start..next.content_end]);
         let value = content.starts_with(',')
             || content.split(',').any(is_a_value)
-            || (asks_by_name(text, first) && !content.contains('='));
+            || names_results(text, first, content);
         let size = next.content_end - first.start;
         if look(content) != Look::Data || value || size > MAX_LINE_BYTES {
             return (lines, true);

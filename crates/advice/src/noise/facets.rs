@@ -12,7 +12,6 @@ use slideline_mech::contact::search::tree::BoxTree;
 use slideline_mech::surface::mesh::{area_between, is_crease};
 use slideline_mech::vector::{Vector, add, dot, scale, size, sub};
 use slideline_model::{ContactPair, Formulation, Lumping, Master, Model, NodeIndex};
-use slideline_solve::observe::ContactRow;
 use std::collections::HashMap;
 
 /// Part of the size of faces by which what they are chords of stands out of them below which they count as flat [1]: they
@@ -74,10 +73,9 @@ impl Facets {
         (!deeper.is_empty()).then_some(Self { deeper })
     }
 
-    /// Sum over slave nodes of the forces that press on them by how much deeper the faces stand there [F L].
-    pub fn deeper<'a>(&self, rows: impl Iterator<Item = &'a ContactRow>) -> f64 {
-        let of = |row: &ContactRow| self.deeper.get(&row.node).copied().unwrap_or_default();
-        rows.map(|row| row.pressure * row.area * of(row)).sum()
+    /// How much deeper the faces stand in one another about a slave node [L].
+    pub fn deeper(&self, node: NodeIndex) -> f64 {
+        self.deeper.get(&node).copied().unwrap_or_default()
     }
 }
 

@@ -6,7 +6,7 @@ use slideline_diag::{Code, Diagnostic, Span};
 use slideline_measures::PairNoise;
 use slideline_mech::surface::mesh::area_between;
 use slideline_model::{ContactPair, Formulation, Master, Model, NodeIndex, NormalLaw, Vocabulary};
-use slideline_solve::observe::{ContactRow, PairRow};
+use slideline_solve::observe::PairRow;
 use std::collections::{BTreeSet, HashMap};
 use std::ops::Range;
 
@@ -177,18 +177,17 @@ impl Pair {
         }
     }
 
-    /// Takes in what presses on its slave nodes, with the energy of the model [F L].
-    pub fn press<'a>(
-        &mut self,
-        rows: impl Iterator<Item = &'a ContactRow> + Clone,
-        energy: f64,
-        increment: usize,
-    ) {
-        let force = rows.clone().map(|row| row.pressure * row.area).sum();
+    /// How much deeper straight faces stand in one another about a slave node than the rounds that they are drawn for [L].
+    pub fn deeper(&self, node: NodeIndex) -> f64 {
+        self.facets.as_ref().map_or(0.0, |own| own.deeper(node))
+    }
+
+    /// Takes in what presses on its slave nodes, the sum of the forces and that of these by how much deeper faces stand
+    /// there [F, F L], with the energy of the model [F L].
+    pub fn press(&mut self, (force, work): (f64, f64), energy: f64, increment: usize) {
         if force > self.pressed_most.force {
-            let deeper = self.facets.as_ref().map_or(0.0, |own| own.deeper(rows) / force);
             let approach = 2.0 * energy.max(0.0) / force;
-            self.pressed_most = Pressed { force, deeper, approach, increment };
+            self.pressed_most = Pressed { force, deeper: work / force, approach, increment };
         }
     }
 

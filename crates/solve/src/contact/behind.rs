@@ -165,7 +165,9 @@ impl Contact {
                 if !self.enters(point, (start, now.position), (from, u)) {
                     let mut own = kinematics.at_mut(place);
                     own.turn_away_in_place();
-                    own.point.behind = now.overclosure - self.offsets[point.pair].both();
+                    if point.is_node() {
+                        own.point.behind = now.overclosure - self.offsets[point.pair].both();
+                    }
                 }
             }
         }

@@ -201,7 +201,7 @@ fn ends(nodes: &[NodeIndex], side: &[usize]) -> (NodeIndex, NodeIndex) {
 }
 
 /// Of every node one that stands for all that solids join it to.
-fn joined(model: &Model) -> Vec<NodeIndex> {
+pub(super) fn joined(model: &Model) -> Vec<NodeIndex> {
     fn top(above: &mut [NodeIndex], mut node: NodeIndex) -> NodeIndex {
         while above[node] != node {
             above[node] = above[above[node]];

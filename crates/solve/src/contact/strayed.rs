@@ -11,13 +11,15 @@
 
 use super::kinematics::PointKinematics;
 use super::pairs::Contact;
+use super::parts::joined;
 use crate::problem::Problem;
 use crate::state::State;
-use slideline_mech::element::cell::within;
-use slideline_mech::vector::add;
-use slideline_model::{Kinematics, NodeIndex};
+use slideline_mech::contact::search::tree::{Bounds, BoxTree};
+use slideline_mech::element::cell::{Cell, within};
+use slideline_mech::vector::{Vector, add, dot};
+use slideline_model::{Element, Kinematics, NodeIndex};
 
-/// Part of the size of the element in which a node stands by which it may stand behind the master unsaid [1].
+/// Part of the height of the element in which a node stands by which it may stand behind the master unsaid [1].
 const DEEP: f64 = 0.1;
 /// Distance from an element at which a node is inside, in sizes of the element [1].
 const UPON: f64 = 1e-6;
@@ -35,9 +37,15 @@ pub struct Strayed {
     pub element: u64,
 }
 
+/// A node behind its master, and the outward normal of what it would face there.
+struct Behind {
+    own: Strayed,
+    normal: Vector,
+}
+
 impl Contact {
-    /// The deepest slave node that stands in a solid behind its master, to which it came beyond an end of the surface;
-    /// `None`: all that stand behind are beside the part, or held by another pair.
+    /// The deepest slave node that stands in the part of its master, to which it came beyond an end of the surface; `None`:
+    /// all that stand behind are beside the part, or held by another pair.
     pub fn strayed(
         &self,
         plan: &Problem<'_>,
@@ -46,11 +54,12 @@ impl Contact {
     ) -> Option<Strayed> {
         let behind =
             kinematics.iter().enumerate().filter(|(_, own)| !own.faces && own.behind > 0.0);
-        let mut found: Vec<Strayed> = behind
-            .map(|(place, own)| {
+        let mut found: Vec<Behind> = behind
+            .map(|(place, now)| {
                 let point = &self.points[place];
-                let pair = self.parent(point.pair);
-                Strayed { pair, node: point.node, depth: own.behind, element: 0 }
+                let (pair, depth) = (self.parent(point.pair), now.behind);
+                let own = Strayed { pair, node: point.node, depth, element: 0 };
+                Behind { own, normal: now.normal }
             })
             .collect();
         if found.is_empty() {
@@ -60,40 +69,88 @@ impl Contact {
         let mut held: Vec<NodeIndex> =
             states.filter(|(_, state)| state.closed).map(|(point, _)| point.node).collect();
         held.sort_unstable();
-        found.retain(|own| held.binary_search(&own.node).is_err());
-        found.sort_by(|a, b| b.depth.total_cmp(&a.depth).then(a.node.cmp(&b.node)));
-        found.into_iter().find_map(|own| stands_in_solid(plan, committed, own))
+        found.retain(|behind| held.binary_search(&behind.own.node).is_err());
+        found.sort_by(|a, b| {
+            let of_pair = a.own.pair.cmp(&b.own.pair);
+            of_pair.then(b.own.depth.total_cmp(&a.own.depth)).then(a.own.node.cmp(&b.own.node))
+        });
+        let parts = found.chunk_by(|a, b| a.own.pair == b.own.pair);
+        parts.into_iter().find_map(|of_pair| {
+            let part = Part::of_master(plan, committed, of_pair[0].own.pair)?;
+            of_pair.iter().find_map(|behind| part.holds(behind))
+        })
     }
 }
 
-/// The same with the element in which it stands.
-fn stands_in_solid(plan: &Problem<'_>, committed: &State, own: Strayed) -> Option<Strayed> {
-    let u = &committed.displacement;
-    let place =
-        |node: NodeIndex| add(plan.model.nodes.position(node), plan.dofs.translation(u, node));
-    let at = place(own.node);
-    let mut places = Vec::new();
-    for (block, element) in plan.step.presence.elements(&plan.model.blocks) {
-        let is_solid = matches!(block.kind.kinematics, Kinematics::Solid { .. });
-        if !is_solid || element.nodes.contains(&own.node) {
-            continue;
+/// The solids of the part of a master, where they stand.
+struct Part<'a> {
+    place: Box<dyn Fn(NodeIndex) -> Vector + 'a>,
+    solids: Vec<(&'static Cell, Element<'a>)>,
+    tree: BoxTree<3>,
+}
+
+impl<'a> Part<'a> {
+    /// That of a pair; `None` where its master belongs to no solid.
+    fn of_master(plan: &'a Problem<'a>, committed: &'a State, pair: usize) -> Option<Self> {
+        let model = plan.model;
+        let root = joined(model);
+        let mut own: Vec<NodeIndex> = model.contact_pairs[pair]
+            .master
+            .deforming_nodes()
+            .iter()
+            .map(|&node| root[node])
+            .collect();
+        own.sort_unstable();
+        own.dedup();
+        let all = plan.step.presence.elements(&model.blocks);
+        let solids: Vec<_> = all
+            .filter(|(block, _)| matches!(block.kind.kinematics, Kinematics::Solid { .. }))
+            .filter(|(_, element)| own.binary_search(&root[element.nodes[0]]).is_ok())
+            .map(|(block, element)| (block.kind.cell, element))
+            .collect();
+        if solids.is_empty() {
+            return None;
         }
-        places.clear();
-        places.extend(element.nodes.iter().map(|&node| place(node)));
-        let bound = |axis: usize, fold: fn(f64, f64) -> f64| {
-            places.iter().map(|place| place[axis]).reduce(fold).unwrap_or(0.0)
+        let u = &committed.displacement;
+        let place =
+            move |node: NodeIndex| add(model.nodes.position(node), plan.dofs.translation(u, node));
+        let bounds = |solid: usize| -> Bounds<3> {
+            let all = || solids[solid].1.nodes.iter().map(|&node| place(node));
+            let fold = |from: f64, take: fn(f64, f64) -> f64| {
+                all().fold([from; 3], |so_far, at| std::array::from_fn(|k| take(so_far[k], at[k])))
+            };
+            (fold(f64::INFINITY, f64::min), fold(f64::NEG_INFINITY, f64::max))
         };
-        let bounds: [[f64; 2]; 3] =
-            std::array::from_fn(|axis| [bound(axis, f64::min), bound(axis, f64::max)]);
-        let size = bounds.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
-        let is_about = bounds.iter().zip(at).all(|([low, high], x)| (*low..=*high).contains(&x));
-        if !is_about || own.depth <= DEEP * size {
-            continue;
-        }
-        let inside = within(block.kind.cell, &places, at);
-        if inside.is_some_and(|inside| inside.distance <= UPON * size) {
-            return Some(Strayed { element: element.label, ..own });
-        }
+        let tree = BoxTree::new(solids.len(), bounds);
+        Some(Self { place: Box::new(place), solids, tree })
     }
-    None
+
+    /// A node with the element in which it stands, where it is deep in it by the height of that.
+    fn holds(&self, behind: &Behind) -> Option<Strayed> {
+        let (own, at) = (&behind.own, (self.place)(behind.own.node));
+        let mut found = None;
+        self.tree.overlapping((at, at), |solid| {
+            let (cell, element) = &self.solids[solid];
+            if found.is_some() || element.nodes.contains(&own.node) {
+                return;
+            }
+            let places: Vec<Vector> =
+                element.nodes.iter().map(|&node| (self.place)(node)).collect();
+            let reach = |way: Vector| {
+                let along = places.iter().map(|&place| dot(place, way));
+                let (low, high) = along
+                    .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), own| {
+                        (low.min(own), high.max(own))
+                    });
+                high - low
+            };
+            let size = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(reach);
+            let near = UPON * size.into_iter().fold(0.0, f64::max);
+            let inside = within(cell, &places, at).is_some_and(|inside| inside.distance <= near);
+            if inside && own.depth > DEEP * reach(behind.normal) {
+                found = Some(Strayed { element: element.label, ..own.clone() });
+            }
+        });
+        found
+    }
 }

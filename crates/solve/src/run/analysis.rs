@@ -65,7 +65,7 @@ pub struct Analysis<'a> {
     /// Whether it was said that an edge of a master stands in a face of the slave.
     pub(super) edges_are_judged: bool,
     /// Whether a slave node in the part of its master was told of.
-    pub(super) strayed_are_judged: bool,
+    pub(super) strayed_are_told: bool,
     /// Clouds of nodes of which it was said that they have turned far.
     pub(super) turned_means: Vec<usize>,
     /// Beams that are pulled beyond their shear stiffness.
@@ -122,7 +122,7 @@ impl<'a> Analysis<'a> {
             tangent_is_wrong: false,
             room_is_judged: false,
             edges_are_judged: false,
-            strayed_are_judged: false,
+            strayed_are_told: false,
             turned_means: Vec::new(),
             overpulled: OverpulledBeams::default(),
             slid_off: Vec::new(),

@@ -50,6 +50,8 @@ impl Analysis<'_> {
         pair_rows(plan, self.committed, work, (contact, closed), (pairs, sums));
         section_rows(plan, self.committed, work, &mut self.rows.sections);
         joined_forces(plan, self.committed, work, &mut self.rows.joined);
+        // where points stand is asked before the search for a jump moves them
+        let strayed = self.strayed(plan, work);
         let jumped = self.balance_books(plan, target, work);
         let Rows { pairs, heaviest, .. } = &mut *self.rows;
         heaviest.take(plan, (self.committed, work), last, pairs);
@@ -68,7 +70,7 @@ impl Analysis<'_> {
             told = told.and(self.judge_overpulled(plan));
         }
         told = told.and(self.judge_room(plan)).and(self.judge_edges(plan, work));
-        told = told.and(self.judge_strayed(plan, work));
+        told = told.and(strayed.iter().try_for_each(|said| self.tell(Event::Diagnosed(said))));
         told = told.and(self.judge_means(plan));
         if let Some(jumped) = &jumped {
             told = told.and(self.tell(Event::Diagnosed(jumped)));

@@ -1,21 +1,20 @@
 //! What is said of slave nodes that stand in the part of their master, where no force acts on them.
 
-use super::analysis::{Analysis, Left};
+use super::analysis::Analysis;
 use crate::newton::Scratch;
-use crate::observe::Event;
 use crate::problem::Problem;
 use slideline_diag::{Code, Diagnostic};
 
 impl Analysis<'_> {
-    /// Says so once where a slave node stands in the part of its master, to which it came where that surface ends.
-    pub(super) fn judge_strayed(&mut self, plan: &Problem<'_>, work: &Scratch) -> Result<(), Left> {
-        if self.strayed_are_judged {
-            return Ok(());
+    /// What is to be said, once, where a slave node stands in the part of its master, to which it came where that surface
+    /// ends.
+    pub(super) fn strayed(&mut self, plan: &Problem<'_>, work: &Scratch) -> Option<Diagnostic> {
+        if self.strayed_are_told {
+            return None;
         }
-        let committed = &*self.committed;
         let points = work.evaluation.kinematics.points();
-        let Some(found) = plan.contact.strayed(plan, committed, points) else { return Ok(()) };
-        self.strayed_are_judged = true;
+        let found = plan.contact.strayed(plan, self.committed, points)?;
+        self.strayed_are_told = true;
         let pair = &plan.model.contact_pairs[found.pair];
         let message = format!(
             "slave node {} of {} stands {:.3e} behind the master, in element {}, at total time {:.6}: it came in where the \
@@ -24,12 +23,11 @@ impl Analysis<'_> {
             pair.name,
             found.depth,
             found.element,
-            committed.total_time
+            self.committed.total_time
         );
-        let said = Diagnostic::warning(Code("SL0627"), message).at(pair.origin).help(
+        Some(Diagnostic::warning(Code("SL0627"), message).at(pair.origin).help(
             "spread the contact over faces with TYPE=SURFACE TO SURFACE, or name the faces at the end of the master in its \
              *SURFACE too: contact forces there are too small or missing",
-        );
-        self.tell(Event::Diagnosed(&said))
+        ))
     }
 }
