@@ -283,7 +283,7 @@ fn is_a_value(piece: &str) -> bool {
 }
 
 /// Parameters without a value of the cards that ask for results, without blanks.
-const REQUEST_FLAGS: [&str; 20] = [
+const REQUEST_FLAGS: [&str; 22] = [
     "TOTALS",
     "SUMMARY",
     "FIELD",
@@ -304,6 +304,8 @@ const REQUEST_FLAGS: [&str; 20] = [
     "ALLNODES",
     "TIMEPOINTS",
     "POSITION",
+    "REBAR",
+    "SENSOR",
 ];
 
 /// Whether a line behind the comma of a keyword names what is to be written, which the data lines of some cards do: that

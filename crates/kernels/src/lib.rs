@@ -62,7 +62,9 @@ fn trusses_of<const D: usize, const N: usize, const P: usize>(
 }
 
 /// The first `D` coordinates of the `N` nodes of each element [L].
-fn places<const D: usize, const N: usize>(nodes: &[Vector]) -> impl Iterator<Item = [[f64; D]; N]> {
+pub fn places<const D: usize, const N: usize>(
+    nodes: &[Vector],
+) -> impl Iterator<Item = [[f64; D]; N]> {
     let elements = nodes.as_chunks::<N>().0.iter();
     elements.map(|nodes| nodes.map(|node| std::array::from_fn(|axis| node[axis])))
 }

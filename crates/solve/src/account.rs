@@ -98,7 +98,7 @@ pub fn rounding(plan: &Problem<'_>, state: &State) -> f64 {
 
 /// What energies that do not balance say nothing: rounding, and what the work of heat is not known by
 /// where bodies follow it freely, docs/theory.md eqs (10.8) and (10.10) [F L].
-pub fn unsure(plan: &Problem<'_>, state: &State) -> f64 {
+fn unsure(plan: &Problem<'_>, state: &State) -> f64 {
     rounding(plan, state) + FREE_HEAT * state.books.heat
 }
 

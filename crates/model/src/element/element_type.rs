@@ -126,8 +126,7 @@ impl Undeformed<'_> {
 
     /// The first `D` coordinates of the `N` nodes of each element [L].
     pub fn positions<const D: usize, const N: usize>(&self) -> impl Iterator<Item = [[f64; D]; N]> {
-        let elements = self.nodes.as_chunks::<N>().0.iter();
-        elements.map(|nodes| nodes.map(|node| std::array::from_fn(|axis| node[axis])))
+        slideline_kernels::places(self.nodes)
     }
 }
 

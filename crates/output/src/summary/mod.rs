@@ -274,7 +274,7 @@ impl<'a> Summary<'a> {
         self.dropped_work = frame.energy.dropped_friction;
         let (time, memory) = (frame.total_time, &mut self.memory);
         memory.energy_rounding = memory.energy_rounding.max(frame.energy_rounding);
-        memory.energy_unsure = memory.energy_unsure.max(frame.energy_unsure);
+        memory.energy_unsure = frame.energy_unsure;
         memory.follow_beams(frame, &self.allowable);
         memory.follow_solids(frame);
         memory.follow_turns(frame);

@@ -19,9 +19,9 @@ use slideline_mech::element::cell::{Cell, within};
 use slideline_mech::vector::{Vector, add, dot};
 use slideline_model::{Element, Kinematics, NodeIndex};
 
-/// Part of the height of the element in which a node stands by which it may stand behind the master unsaid [1].
+/// Part of the height of the element in which a node stands by which it may stand behind the master unsaid [1]. (choice)
 const DEEP: f64 = 0.1;
-/// Distance from an element at which a node is inside, in sizes of the element [1].
+/// Distance from an element at which a node is inside, in sizes of the element: far above rounding [1]. (choice)
 const UPON: f64 = 1e-6;
 
 /// A slave node in the part of its master.
@@ -39,7 +39,9 @@ pub struct Strayed {
 
 /// A node behind its master, and the outward normal of what it would face there.
 struct Behind {
-    own: Strayed,
+    pair: usize,
+    node: NodeIndex,
+    depth: f64,
     normal: Vector,
 }
 
@@ -57,9 +59,8 @@ impl Contact {
         let mut found: Vec<Behind> = behind
             .map(|(place, now)| {
                 let point = &self.points[place];
-                let (pair, depth) = (self.parent(point.pair), now.behind);
-                let own = Strayed { pair, node: point.node, depth, element: 0 };
-                Behind { own, normal: now.normal }
+                let (pair, node) = (self.parent(point.pair), point.node);
+                Behind { pair, node, depth: now.behind, normal: now.normal }
             })
             .collect();
         if found.is_empty() {
@@ -69,14 +70,14 @@ impl Contact {
         let mut held: Vec<NodeIndex> =
             states.filter(|(_, state)| state.closed).map(|(point, _)| point.node).collect();
         held.sort_unstable();
-        found.retain(|behind| held.binary_search(&behind.own.node).is_err());
+        found.retain(|behind| held.binary_search(&behind.node).is_err());
         found.sort_by(|a, b| {
-            let of_pair = a.own.pair.cmp(&b.own.pair);
-            of_pair.then(b.own.depth.total_cmp(&a.own.depth)).then(a.own.node.cmp(&b.own.node))
+            let of_pair = a.pair.cmp(&b.pair);
+            of_pair.then(b.depth.total_cmp(&a.depth)).then(a.node.cmp(&b.node))
         });
-        let parts = found.chunk_by(|a, b| a.own.pair == b.own.pair);
+        let parts = found.chunk_by(|a, b| a.pair == b.pair);
         parts.into_iter().find_map(|of_pair| {
-            let part = Part::of_master(plan, committed, of_pair[0].own.pair)?;
+            let part = Part::of_master(plan, committed, of_pair[0].pair)?;
             of_pair.iter().find_map(|behind| part.holds(behind))
         })
     }
@@ -84,7 +85,8 @@ impl Contact {
 
 /// The solids of the part of a master, where they stand.
 struct Part<'a> {
-    place: Box<dyn Fn(NodeIndex) -> Vector + 'a>,
+    plan: &'a Problem<'a>,
+    committed: &'a State,
     solids: Vec<(&'static Cell, Element<'a>)>,
     tree: BoxTree<3>,
 }
@@ -111,31 +113,35 @@ impl<'a> Part<'a> {
         if solids.is_empty() {
             return None;
         }
-        let u = &committed.displacement;
-        let place =
-            move |node: NodeIndex| add(model.nodes.position(node), plan.dofs.translation(u, node));
+        let mut new = Self { plan, committed, solids, tree: BoxTree::default() };
         let bounds = |solid: usize| -> Bounds<3> {
-            let all = || solids[solid].1.nodes.iter().map(|&node| place(node));
+            let all = || new.solids[solid].1.nodes.iter().map(|&node| new.place(node));
             let fold = |from: f64, take: fn(f64, f64) -> f64| {
                 all().fold([from; 3], |so_far, at| std::array::from_fn(|k| take(so_far[k], at[k])))
             };
             (fold(f64::INFINITY, f64::min), fold(f64::NEG_INFINITY, f64::max))
         };
-        let tree = BoxTree::new(solids.len(), bounds);
-        Some(Self { place: Box::new(place), solids, tree })
+        new.tree = BoxTree::new(new.solids.len(), bounds);
+        Some(new)
+    }
+
+    /// Where a node stands [L].
+    fn place(&self, node: NodeIndex) -> Vector {
+        let moved = self.plan.dofs.translation(&self.committed.displacement, node);
+        add(self.plan.model.nodes.position(node), moved)
     }
 
     /// A node with the element in which it stands, where it is deep in it by the height of that.
     fn holds(&self, behind: &Behind) -> Option<Strayed> {
-        let (own, at) = (&behind.own, (self.place)(behind.own.node));
+        let &Behind { pair, node, depth, normal } = behind;
+        let at = self.place(node);
         let mut found = None;
         self.tree.overlapping((at, at), |solid| {
             let (cell, element) = &self.solids[solid];
-            if found.is_some() || element.nodes.contains(&own.node) {
+            if found.is_some() || element.nodes.contains(&node) {
                 return;
             }
-            let places: Vec<Vector> =
-                element.nodes.iter().map(|&node| (self.place)(node)).collect();
+            let places: Vec<Vector> = element.nodes.iter().map(|&node| self.place(node)).collect();
             let reach = |way: Vector| {
                 let along = places.iter().map(|&place| dot(place, way));
                 let (low, high) = along
@@ -147,8 +153,8 @@ impl<'a> Part<'a> {
             let size = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(reach);
             let near = UPON * size.into_iter().fold(0.0, f64::max);
             let inside = within(cell, &places, at).is_some_and(|inside| inside.distance <= near);
-            if inside && own.depth > DEEP * reach(behind.normal) {
-                found = Some(Strayed { element: element.label, ..own.clone() });
+            if inside && depth > DEEP * reach(normal) {
+                found = Some(Strayed { pair, node, depth, element: element.label });
             }
         });
         found

@@ -47,7 +47,8 @@ pub struct Frame<'a> {
     pub energy: Energies,
     /// What rounding alone may make of energies [F L].
     pub energy_rounding: f64,
-    /// What energies that do not balance say nothing: rounding, and what the work of heat is not known by [F L].
+    /// The most until now by which energies that do not balance say nothing: rounding, and what the work of heat is not known
+    /// by [F L].
     pub energy_unsure: f64,
 }
 

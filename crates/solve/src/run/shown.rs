@@ -1,6 +1,6 @@
 //! What observers are shown of a state: rows, counts, the frame about them.
 
-use crate::account::{rounding, unsure};
+use crate::account::rounding;
 use crate::balance::Sum;
 use crate::contact::ContactKinematics;
 use crate::heaviest::Measured;
@@ -129,6 +129,6 @@ pub(super) fn frame<'a>(
         elements: &rows.elements,
         energy: state.energy,
         energy_rounding: rounding(plan, state),
-        energy_unsure: unsure(plan, state),
+        energy_unsure: state.books.unsure,
     }
 }
