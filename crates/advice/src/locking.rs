@@ -93,6 +93,7 @@ fn locks(kind: &ElementType, dialect: Dialect) -> bool {
         Formulation::MeanDilation | Formulation::Hourglass | Formulation::SoftHourglass => {
             (1.0, 0.0)
         }
+        Formulation::LinearDilation => (1.0 + dimension, 0.0),
         Formulation::Incompatible => (points, dimension * dimension),
         Formulation::Plain => (points, 0.0),
     };

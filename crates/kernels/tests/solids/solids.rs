@@ -14,7 +14,7 @@ use slideline_mech::element::solid::{
 use slideline_mech::element::{Failure, Kernel, Response, Strains};
 use slideline_mech::material::{Elastic, LargeStrain, Material, Plastic, Rubber};
 
-use Formulation::{Hourglass, Incompatible, MeanDilation, Plain};
+use Formulation::{Hourglass, Incompatible, LinearDilation, MeanDilation, Plain};
 use Kinematics::{Axisymmetric, PlaneStrain, PlaneStress, Space};
 
 const STEEL: Elastic = Elastic { modulus: 7.0, poisson: 0.3 };
@@ -48,6 +48,9 @@ fn kinds() -> Vec<Kind> {
     let mut kinds: Vec<Kind> = vec![
         (&QUAD4, &QUAD_4, PlaneStrain, MeanDilation, 0),
         (&QUAD4, &QUAD_4, Axisymmetric, MeanDilation, 0),
+        (&QUAD8, &QUAD_9, PlaneStrain, LinearDilation, 0),
+        (&QUAD8, &QUAD_9, Axisymmetric, LinearDilation, 0),
+        (&HEX20, &HEX_27, Space, LinearDilation, 0),
         (&TET4, &TET_1, Space, Plain, 0),
         (&TET10, &TET_4, Space, Plain, 0),
         // the three quadratic motions that change no shape (conformal ones)
@@ -238,7 +241,8 @@ fn pressures_of_their_own() {
         let q = motion(kind.0, &nodes, STRETCH, 0.03);
         let across = vec![0.0; state_count(&kind, &mooney())];
         let exact = respond(&*rubber, &q, &across, Strains::Exact);
-        let estimated = matches!(kind.3, Plain | MeanDilation) && kind.2 != PlaneStress;
+        let estimated =
+            matches!(kind.3, Plain | MeanDilation | LinearDilation) && kind.2 != PlaneStress;
         assert_eq!((rubber.estimates(), metal.estimates()), (estimated, false), "{}", name(&kind));
         let own = arrived(&*rubber, &q, &vec![0.0; q.len()]);
         let other: Vec<f64> = own.iter().map(|own| own + 2.0).collect();

@@ -16,13 +16,14 @@
 
 mod bending;
 mod centre;
+mod dilation;
 mod enhancement;
 mod evaluate;
+mod fields;
 mod gather;
 mod heat;
 mod incompatible;
 mod kernel;
-mod mean_dilation;
 mod modes;
 mod pivoted;
 mod place;

@@ -3,7 +3,7 @@
 //! ```text
 //!   CPS plane stress   CPE plane strain   CAX rings   C3D space
 //!   3 6 triangles   4 8 quadrilaterals   4 10 tetrahedra   6 15 wedges   8 20 hexahedra
-//!   I incompatible modes   R fewer points   H one pressure an element
+//!   I incompatible modes   R fewer points   H few pressures an element
 //! ```
 
 use super::element_type::{ElementType, Field, IN_SPACE, Kinematics, Location, MOVING, at, of};
@@ -123,6 +123,8 @@ rows! {
     CPE6: TRI6, TRI_3, PlaneStrain, Plain / Plain, 2, 3;
     /// Quadratic quadrilateral in plane strain.
     CPE8: QUAD8, QUAD_9, PlaneStrain, Plain / Plain, 2, 9;
+    /// Quadratic quadrilateral in plane strain, hybrid: its pressure is linear in position.
+    CPE8H: QUAD8, QUAD_9, PlaneStrain, LinearDilation / LinearDilation, 2, 9;
     /// Quadratic quadrilateral in plane strain of four points.
     CPE8R: QUAD8, QUAD_4, PlaneStrain, Plain / Plain, 2, 4;
     /// Triangle in plane stress.
@@ -153,6 +155,8 @@ rows! {
     CAX6: TRI6, TRI_3, Axisymmetric, Plain / Plain, 2, 3;
     /// Quadratic quadrilateral ring.
     CAX8: QUAD8, QUAD_9, Axisymmetric, Plain / Plain, 2, 9;
+    /// Quadratic quadrilateral ring, hybrid: its pressure is linear in position.
+    CAX8H: QUAD8, QUAD_9, Axisymmetric, LinearDilation / LinearDilation, 2, 9;
     /// Quadratic quadrilateral ring of four points.
     CAX8R: QUAD8, QUAD_4, Axisymmetric, Plain / Plain, 2, 4;
     /// Tetrahedron.
@@ -177,6 +181,8 @@ rows! {
     C3D15: WEDGE15, WEDGE_3X3, Space, Plain / Plain, 3, 9;
     /// Quadratic hexahedron.
     C3D20: HEX20, HEX_27, Space, Plain / Plain, 3, 27;
+    /// Quadratic hexahedron, hybrid: its pressure is linear in position.
+    C3D20H: HEX20, HEX_27, Space, LinearDilation / LinearDilation, 3, 27;
     /// Quadratic hexahedron of eight points.
     C3D20R: HEX20, HEX_8, Space, Plain / Plain, 3, 8;
 }

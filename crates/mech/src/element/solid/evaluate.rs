@@ -19,16 +19,16 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         q: &[f64],
         (under, committed, state): States<'_, '_>,
         points: &mut [Point<D, N>; P],
-    ) -> Result<Option<gather::Joint<D, N>>, Failure> {
+    ) -> Result<Option<gather::Joints<D, N>>, Failure> {
         let apart = place::apart(q);
         let places = &self.places[element];
-        if self.recipe.formulation == Formulation::MeanDilation {
+        if self.recipe.formulation.has_fields() {
             let mut gradients = [[[0.0; 3]; 3]; P];
             for (k, (place, gradient)) in places.iter().zip(&mut gradients).enumerate() {
                 *gradient = self.gradient([element, k], place, (q, &apart));
             }
             let states = (under, committed, state);
-            return self.with_mean_dilation(element, &gradients, states, points).map(Some);
+            return self.with_dilation(element, &gradients, states, points).map(Some);
         }
         for (k, (place, point)) in places.iter().zip(points).enumerate() {
             let gradient = self.gradient([element, k], place, (q, &apart));
@@ -47,13 +47,14 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
             let into = Response { force, tangent, state };
             return self.with_modes(element, q, (committed, under), (&mut points, into));
         }
-        let joint = self.points(element, q, (under, committed, state), &mut points)?;
+        let joints = self.points(element, q, (under, committed, state), &mut points)?;
         gather::force(&points, force);
         if let Some(tangent) = tangent.as_deref_mut() {
             if let Some(estimates) = self.estimated(under) {
-                turn_by(&mut points, estimates);
+                turn_by(&mut points, &self.at_points(element, estimates));
             }
-            gather::tangent(&points, self.is_ring(), joint.as_ref(), tangent);
+            let joints = joints.as_ref().map_or(&[][..], gather::Joints::each);
+            gather::tangent(&points, self.is_ring(), joints, tangent);
         }
         let mut held = 0.0;
         if self.recipe.formulation.is_one_point() {

@@ -8,6 +8,7 @@
 //! a sum over points and axes of rows as long as the element has nodes, which compilers turn into
 //! vector instructions. docs/theory.md eqs. (3.37) and (3.38).
 
+use super::fields::MOST_FIELDS;
 use super::point::Point;
 use crate::material::tensor::INDEX;
 
@@ -38,17 +39,60 @@ fn add<const N: usize>(sum: &mut [f64; N], factor: f64, row: &[f64; N]) {
     }
 }
 
-/// What joins all nodes beside the points: x y' + y x' is added to the tangent.
+/// What joins all nodes beside the points for one field of changes of volume: x y' + y x' is added
+/// to the tangent.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Joint<const D: usize, const N: usize> {
-    /// x, axis by axis.
+    /// x, axis by axis: e of docs/theory.md eq. (3.50).
     pub left: [[f64; N]; D],
-    /// y, axis by axis.
+    /// y, axis by axis: rho, and once closed half of what every gamma makes of every e beside it.
     pub right: [[f64; N]; D],
-    /// gamma of docs/theory.md eq. (3.50), half of whose square is in y [F L].
-    pub square: f64,
-    /// The deformed volume [L3].
+    /// gamma with every field [F L].
+    pub square: [f64; MOST_FIELDS],
+}
+
+/// Those of all fields of an element.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Joints<const D: usize, const N: usize> {
+    all: [Joint<D, N>; MOST_FIELDS],
+    count: usize,
+    /// The undeformed volume [L3].
     pub volume: f64,
+}
+
+impl<const D: usize, const N: usize> Joints<D, N> {
+    /// Of so many fields, nothing yet.
+    #[inline(always)]
+    pub fn new(volume: f64, count: usize) -> Self {
+        let none = Joint { left: [[0.0; N]; D], right: [[0.0; N]; D], square: [0.0; MOST_FIELDS] };
+        Self { all: [none; MOST_FIELDS], count, volume }
+    }
+
+    /// One a field.
+    #[inline(always)]
+    pub fn each(&self) -> &[Joint<D, N>] {
+        self.all.get(..self.count).unwrap_or(&[])
+    }
+
+    /// One a field.
+    #[inline(always)]
+    pub fn each_mut(&mut self) -> &mut [Joint<D, N>] {
+        self.all.get_mut(..self.count).unwrap_or_default()
+    }
+
+    /// Adds to every y half of what gamma makes of every x.
+    #[inline(always)]
+    pub fn close(&mut self) {
+        for a in 0..self.count {
+            for b in 0..self.count {
+                let half = 0.5 * self.all[a].square[b];
+                let left = self.all[b].left;
+                for (right, left) in self.all[a].right.iter_mut().zip(&left) {
+                    add(right, half, left);
+                }
+            }
+        }
+    }
 }
 
 /// Products of a pair of axes at every point, overwritten by the next pair.
@@ -62,13 +106,13 @@ struct Room<const D: usize, const N: usize, const P: usize> {
 pub(super) fn tangent<const D: usize, const N: usize, const P: usize>(
     points: &[Point<D, N>; P],
     ring: bool,
-    joint: Option<&Joint<D, N>>,
+    joints: &[Joint<D, N>],
     into: &mut [f64],
 ) {
     let mut room = Room { products: [[[0.0; N]; D]; P], of_hoop: [[0.0; N]; P] };
     for i in 0..D {
         for k in i..D {
-            block(points, ring, [i, k], (joint, &mut room), into);
+            block(points, ring, [i, k], (joints, &mut room), into);
         }
     }
 }
@@ -79,7 +123,7 @@ fn block<const D: usize, const N: usize, const P: usize>(
     points: &[Point<D, N>; P],
     ring: bool,
     [i, k]: [usize; 2],
-    (joint, room): (Option<&Joint<D, N>>, &mut Room<D, N, P>),
+    (joints, room): (&[Joint<D, N>], &mut Room<D, N, P>),
     into: &mut [f64],
 ) {
     let ring = D == 2 && ring;
@@ -110,7 +154,7 @@ fn block<const D: usize, const N: usize, const P: usize>(
                 add_twice(&mut rows, both.map(|a| point.hoop[a]), product);
             }
         }
-        if let Some(joint) = joint {
+        for joint in joints {
             add_twice(&mut rows, both.map(|a| joint.left[i][a]), &joint.right[k]);
             add_twice(&mut rows, both.map(|a| joint.right[i][a]), &joint.left[k]);
         }

@@ -210,7 +210,7 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
             }
         }
         let Some(tangent) = tangent else { return };
-        gather::tangent(points, self.is_ring(), None, tangent);
+        gather::tangent(points, self.is_ring(), &[], tangent);
         let mut solved = [[[0.0; N]; MOST]; D];
         for (i, solved) in solved.iter_mut().enumerate() {
             let mut sides = [[0.0; N]; MOST];

@@ -10,6 +10,7 @@
 //!
 //! docs/theory.md section 3.5, "Pressures of their own". [derived]
 
+use super::fields;
 use super::point::Point;
 use super::recipe::{Formulation, Kinematics};
 use super::solids::Solids;
@@ -19,11 +20,12 @@ use crate::material::Rubber;
 use crate::material::tensor::{COUNTS, trace};
 
 impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
-    /// Number of pressures of an element: one for all points, or one a point.
+    /// Number of pressures of an element: one a field of changes of volume, or one a point.
     pub(super) fn pressures(&self) -> usize {
         match (self.recipe.formulation, self.recipe.kinematics) {
             (_, Kinematics::PlaneStress) => 0,
             (Formulation::MeanDilation, _) => 1,
+            (Formulation::LinearDilation, _) => 1 + D,
             (Formulation::Plain, _) => P,
             _ => 0,
         }
@@ -56,14 +58,19 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
             return;
         }
         let mut points = [Point::<D, N>::EMPTY; P];
-        let Ok(joint) = self.points(element, q, (under, &[], &mut []), &mut points) else {
+        let Ok(joints) = self.points(element, q, (under, &[], &mut []), &mut points) else {
             return;
         };
         let along = |rows: &[[f64; N]; D]| along(rows, change);
-        if let Some(joint) = joint {
-            let grown = along(&joint.left);
-            let work = along(&joint.right) + 0.5 * joint.square * grown;
-            into[0] = pressure(&points[0]) + work / joint.volume;
+        if let Some(joints) = joints {
+            let weights = points.map(|point| point.weight);
+            let straight = self.straight_fields(element);
+            let parts = fields::parts(&weights, &points.map(|point| pressure(&point)), straight);
+            for (a, joint) in joints.each().iter().enumerate() {
+                let halves = joints.each().iter().zip(&joint.square);
+                let half: f64 = halves.map(|(other, s)| 0.5 * s * along(&other.left)).sum();
+                into[a] = parts[a] + (along(&joint.right) + half) / joints.volume;
+            }
             return;
         }
         for (point, own) in points.iter().zip(into) {
@@ -93,9 +100,20 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         let shear = material.rubber(0.0, Rubber::shear_modulus).unwrap_or(0.0);
         let least =
             (SLIGHT_STRAIN * material.stiffest()).min(SLIGHT_STIFFNESS * shear * size * size);
-        for own in pressures.iter_mut().filter(|own| own.abs() < least) {
+        // of fields the constant one alone: the others have no mean
+        let means = if self.recipe.formulation.has_fields() { 1 } else { P };
+        for own in pressures.iter_mut().take(means).filter(|own| own.abs() < least) {
             *own = least;
         }
+    }
+
+    /// Estimated pressures, at the points.
+    #[inline(always)]
+    pub(super) fn at_points(&self, element: usize, estimates: &[f64]) -> [f64; P] {
+        if self.recipe.formulation.has_fields() {
+            return fields::values(estimates, self.straight_fields(element));
+        }
+        std::array::from_fn(|k| estimates.get(k).copied().unwrap_or(0.0))
     }
 }
 
@@ -125,12 +143,11 @@ impl<const D: usize, const N: usize, const P: usize> pulp::WithSimd for WidenedA
 
 /// Lets areas and normals change as under these pressures.
 #[inline(always)]
-pub(super) fn turn_by<const D: usize, const N: usize>(
-    points: &mut [Point<D, N>],
-    estimates: &[f64],
+pub(super) fn turn_by<const D: usize, const N: usize, const P: usize>(
+    points: &mut [Point<D, N>; P],
+    estimates: &[f64; P],
 ) {
-    for (k, point) in points.iter_mut().enumerate() {
-        let estimate = if estimates.len() == 1 { estimates[0] } else { estimates[k] };
+    for (point, estimate) in points.iter_mut().zip(estimates) {
         let beyond = (1.0 + point.dilation) * (estimate - pressure(point));
         for i in 0..3 {
             point.turning[i] += beyond;

@@ -27,6 +27,8 @@ pub enum Formulation {
     /// One change of volume for all points, that of the element: no locking of next to
     /// incompressible materials.
     MeanDilation,
+    /// One that is linear in undeformed position: the same for quadratic elements.
+    LinearDilation,
     /// Transposed incompatible modes, eliminated in the element: bending without locking.
     Incompatible,
     /// One point, held against its hourglass modes with the stiffness of elastic bending.
@@ -36,6 +38,11 @@ pub enum Formulation {
 }
 
 impl Formulation {
+    /// Whether changes of volume are made of few fields.
+    pub fn has_fields(self) -> bool {
+        matches!(self, Self::MeanDilation | Self::LinearDilation)
+    }
+
     /// Whether one point is held against hourglass modes.
     pub fn is_one_point(self) -> bool {
         matches!(self, Self::Hourglass | Self::SoftHourglass)

@@ -1,6 +1,7 @@
 //! The elements of a block: what is known of them before any displacement.
 
 use super::centre::Centre;
+use super::fields::{self, Straight};
 use super::heat;
 use super::place::{self, Place, Tables};
 use super::recipe::{Formulation, Kinematics, Recipe};
@@ -19,6 +20,8 @@ pub struct Solids<const D: usize, const N: usize, const P: usize> {
     pub(super) elements: Vec<[[f64; D]; N]>,
     /// Their points before any displacement.
     pub(super) places: Vec<[Place<D, N>; P]>,
+    /// Fields of their changes of volume beside the constant one; none where there is no other.
+    pub(super) fields: Vec<Straight<D, P>>,
     /// Axes of the material at their points; none where they are those of the model.
     pub(super) axes: Vec<[Axes; P]>,
     /// Their centres, where they have incompatible modes.
@@ -49,7 +52,10 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
             let at = |k: usize| Place::new(nodes, &tables.points[k], &recipe).0;
             std::array::from_fn(|point| mean.unwrap_or_else(|| at(point)))
         });
-        let places = places.collect();
+        let places: Vec<_> = places.collect();
+        let linear = recipe.formulation == Formulation::LinearDilation;
+        let each = elements.iter().zip(&places).filter(|_| linear);
+        let fields = each.map(|(nodes, own)| fields::straight(nodes, &tables, own)).collect();
         let rings = elements.iter().filter(|_| ring && fine.is_some());
         let means = rings.map(|nodes| place::mean_shapes(nodes, &tables.fine)).collect();
         let with_modes = recipe.formulation == Formulation::Incompatible;
@@ -61,7 +67,7 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
             each.filter_map(|(k, nodes)| Some(place::axes(nodes, &tables, all.of(k)?)))
         });
         let axes = axes.collect();
-        Some(Self { recipe, tables, heat, means, elements, places, axes, centres })
+        Some(Self { recipe, tables, heat, means, elements, places, fields, axes, centres })
     }
 
     /// Whether they go all round an axis.
