@@ -115,6 +115,36 @@ fn next_to_incompressible_does_not_lock() {
     assert!((coarse - fine).abs() < 0.05 * fine, "{coarse} {fine}");
 }
 
+/// Requirement: nor does it of quadratic hybrid elements, by their own name and by those that are read as it. Source:
+/// four-node elements, eight to one of a side. Tolerance: 4 %; without a pressure of their own they are 13 % off.
+#[test]
+fn quadratic_hybrid_elements_do_not_lock() {
+    let fine = cook(32, (1.0, 0.4999), 1.0, SMALL);
+    let n = 8;
+    let at = |s: f64, t: f64| [48.0 * s, 44.0 * s + t * (44.0 - 28.0 * s)];
+    let node = |i: usize, j: usize| 1 + i + j * (n + 1);
+    let tip = |kind: &str| {
+        let mesh = mesh(n, n, at);
+        let nodes = mesh.split("*ELEMENT").next().unwrap();
+        let mut deck = format!("{nodes}*ELEMENT, TYPE={kind}, ELSET=SOLID\n");
+        let corners = (0..n).step_by(2).flat_map(|j| (0..n).step_by(2).map(move |i| [i, j]));
+        for (k, [i, j]) in corners.enumerate() {
+            let around =
+                [[0, 0], [2, 0], [2, 2], [0, 2], [1, 0], [2, 1], [1, 2], [0, 1]].map(|[a, b]| {
+                    let label = node(i + a, j + b);
+                    label.to_string()
+                });
+            let _ = writeln!(deck, "{}, {}", k + 1, around.join(", "));
+        }
+        deck += &load((n, n), (1.0, 0.4999), SMALL, (2, 1.0));
+        run(&deck, node(n, n / 2) as u64, Dialect::Abaqus).displacement[1]
+    };
+    let [own, read_as, without] = ["CPE8H", "CPE8RH", "CPE8"].map(tip);
+    assert!((own - fine).abs() < 0.04 * fine, "{own} {fine}");
+    assert!(own == read_as, "{own} {read_as}");
+    assert!((without - fine).abs() > 0.1 * fine, "{without} {fine}");
+}
+
 const FAR: &str = "*STEP, NLGEOM\n*STATIC\n0.2, 1.0";
 
 /// Requirement: a strip that bends far is a beam. Source: the same cantilever of B23, nu = 0, in

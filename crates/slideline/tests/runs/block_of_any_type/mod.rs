@@ -51,7 +51,7 @@ const fn family(name: &'static str, shape: Shape, quadratic: bool) -> Family {
 }
 
 /// One of every kind of cell, formulation and dimension.
-pub const FAMILIES: [Family; 22] = [
+pub const FAMILIES: [Family; 23] = [
     family("CPS4", Shape::Quad, false),
     family("CPS4R", Shape::Quad, false),
     family("CPE4", Shape::Quad, false),
@@ -63,6 +63,7 @@ pub const FAMILIES: [Family; 22] = [
     family("CPS8", Shape::Quad, true),
     family("CPE8R", Shape::Quad, true),
     family("CAX8R", Shape::Quad, true),
+    family("CPE8H", Shape::Quad, true),
     family("CPS6", Shape::Triangle, true),
     family("CPE6", Shape::Triangle, true),
     family("CAX6", Shape::Triangle, true),
