@@ -18,6 +18,7 @@ use crate::left_out::LeftOut;
 use crate::model::Model;
 use crate::node::NodeIndex;
 use crate::surface::{ContactFace, Master, MasterFaces, SlideLine};
+use slideline_mech::surface::lone::{is_lone, lone_edges};
 use slideline_mech::surface::mesh::{MeshFace, SHARP, smooth_groups};
 use slideline_mech::vector::{cross, dot, size, sub};
 use std::collections::{HashMap, HashSet};
@@ -75,8 +76,17 @@ fn nodes_of_slave(pair: &ContactPair) -> impl Iterator<Item = NodeIndex> + '_ {
 /// Nodes at which the master of a pair turns away sharply.
 fn sharp_of_master(pair: &ContactPair, at: impl Fn(NodeIndex) -> [f64; 3]) -> Vec<NodeIndex> {
     match &pair.master {
+        Master::SlideLine(line) if pair.formulation == Formulation::NodeToSurface => {
+            sharp_or_lone_nodes(&line.nodes, -1.0, at)
+        }
         Master::SlideLine(line) => sharp_nodes(&line.nodes, -1.0, at),
-        Master::Faces(MasterFaces { faces, swept: None, .. }) => nodes_at_creases(faces, at),
+        Master::Faces(MasterFaces { faces, swept: None, .. }) => {
+            let mut nodes = nodes_at_creases(faces, &at);
+            if pair.formulation == Formulation::NodeToSurface {
+                nodes.extend(lone_edges(&mesh_of(faces), &at).into_iter().flatten());
+            }
+            nodes
+        }
         Master::Faces(_) | Master::RigidSurface(_) | Master::Itself(_) => Vec::new(),
     }
 }
@@ -88,15 +98,44 @@ fn sharp_nodes(
     side: f64,
     at: impl Fn(NodeIndex) -> [f64; 3],
 ) -> Vec<NodeIndex> {
-    let turns = |[before, here, behind]: [NodeIndex; 3]| {
-        let (one, other) = (sub(at(here), at(before)), sub(at(behind), at(here)));
-        let turn = side * cross(one, other)[2];
-        turn > 0.0 && dot(one, other) < SHARP * size(one) * size(other)
+    let all = turns(nodes, side, at).into_iter();
+    all.filter(|own| own.1 > SHARP.acos()).map(|own| own.0).collect()
+}
+
+/// Those, and nodes at which it turns by less but alone, as at the foot of a chamfer.
+fn sharp_or_lone_nodes(
+    nodes: &[NodeIndex],
+    side: f64,
+    at: impl Fn(NodeIndex) -> [f64; 3],
+) -> Vec<NodeIndex> {
+    let all = turns(nodes, side, at);
+    let is_loop = nodes.len() > 2 && nodes.first() == nodes.last();
+    let beside = |place: usize| {
+        let [before, behind] = match is_loop {
+            true => [(place + all.len() - 1) % all.len(), (place + 1) % all.len()],
+            false => [place.wrapping_sub(1), place + 1],
+        };
+        [before, behind].into_iter().filter_map(|to| all.get(to)).map(|own| own.1)
     };
-    let inner = nodes.windows(3).filter(|own| turns([own[0], own[1], own[2]])).map(|own| own[1]);
+    let is_edge = |(place, turn): (usize, f64)| turn > SHARP.acos() || is_lone(turn, beside(place));
+    all.iter().enumerate().filter(|(k, own)| is_edge((*k, own.1))).map(|(_, own)| own.0).collect()
+}
+
+/// By how much a line of the plane turns at its inner nodes, one after another, to the side of the material [rad]; that
+/// of the seam of a closed one comes last.
+fn turns(
+    nodes: &[NodeIndex],
+    side: f64,
+    at: impl Fn(NodeIndex) -> [f64; 3],
+) -> Vec<(NodeIndex, f64)> {
+    let turn = |[before, here, behind]: [NodeIndex; 3]| {
+        let (one, other) = (sub(at(here), at(before)), sub(at(behind), at(here)));
+        (here, (side * cross(one, other)[2]).atan2(dot(one, other)))
+    };
+    let inner = nodes.windows(3).map(|own| turn([own[0], own[1], own[2]]));
     let seam = match nodes {
         [first, second, .., before, last] if first == last => {
-            turns([*before, *first, *second]).then_some(*first)
+            Some(turn([*before, *first, *second]))
         }
         _ => None,
     };
@@ -109,9 +148,7 @@ pub fn nodes_at_creases(
     faces: &[ContactFace],
     at: impl Fn(NodeIndex) -> [f64; 3],
 ) -> Vec<NodeIndex> {
-    let of_mesh =
-        |face: &ContactFace| Some(MeshFace { cell: face.cell()?, nodes: face.nodes.clone() });
-    let mesh: Vec<MeshFace> = faces.iter().filter_map(of_mesh).collect();
+    let mesh = mesh_of(faces);
     let groups = smooth_groups(&mesh, at);
     let (mut first, mut seen, mut found) = (HashMap::new(), HashSet::new(), Vec::new());
     for (face, groups) in mesh.iter().zip(groups) {
@@ -123,6 +160,13 @@ pub fn nodes_at_creases(
         }
     }
     found
+}
+
+/// Faces as the mechanics knows them, those of a known cell.
+fn mesh_of(faces: &[ContactFace]) -> Vec<MeshFace> {
+    let of_mesh =
+        |face: &ContactFace| Some(MeshFace { cell: face.cell()?, nodes: face.nodes.clone() });
+    faces.iter().filter_map(of_mesh).collect()
 }
 
 /// A master that contact over faces slides on as what nodes meet.

@@ -10,6 +10,7 @@ pub mod axes;
 mod drawn_edges;
 mod edges;
 pub mod jet;
+pub mod lone;
 pub mod meridian;
 pub mod mesh;
 pub mod mirror;

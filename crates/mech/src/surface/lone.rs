@@ -1,0 +1,99 @@
+//! Edges of less than 45 degrees that are no part of a round.
+//!
+//! ```text
+//!     o----o----o               o----o.
+//!                \                     `o.        a chamfer turns once, and the lines beside the edge do
+//!                 \                       `o      not; a round turns again at the next one
+//!                  o                       |
+//!      lone                     round      o
+//! ```
+//!
+//! docs/theory.md section 5.17
+
+use super::edges::{MeshFace, SHARP, edge, faces_around, neighbours, normal};
+use super::patch::MOST_CORNERS;
+use crate::vector::{Vector, dot, size, sub};
+use std::collections::HashMap;
+
+/// Turn from which on an edge may be lone [rad]: 20 degrees. (choice)
+const LEAST: f64 = 20.0 * std::f64::consts::PI / 180.0;
+/// Part of its turn that a line beside it has at least where both are of a round [1]: at the ends of a round it is a half.
+/// (choice)
+const ROUND: f64 = 0.4;
+/// Cosine of the angle between edges of a round at most [1]. (choice)
+const ALONG: f64 = 0.8;
+
+/// Whether an edge that turns by so much [rad] between lines that turn by those is one that stands alone: it is no part of a
+/// round, nor sharp by itself.
+pub fn is_lone(turn: f64, mut beside: impl Iterator<Item = f64>) -> bool {
+    let may_be = |turn: f64| turn <= SHARP.acos();
+    may_be(turn) && turn > LEAST && !beside.any(|other| other > ROUND * turn && may_be(other))
+}
+
+/// Lone edges between faces that stand out, by their corner nodes; `position` gives undeformed positions of nodes [L].
+pub fn lone_edges(faces: &[MeshFace], position: impl Fn(usize) -> Vector) -> Vec<[usize; 2]> {
+    let turning = Turning::new(faces, &position);
+    let count = |face: usize| faces[face].cell.faces.len();
+    let all = (0..faces.len()).flat_map(|face| (0..count(face)).map(move |k| (face, k)));
+    let lone = all.filter(|&(face, k)| {
+        let first = turning.neighbours[face][k].is_some_and(|other| face < other);
+        first && is_lone(turning.turn(face, k), turning.beside(face, k))
+    });
+    lone.map(|(face, k)| edge(&faces[face], k)).collect()
+}
+
+/// How faces turn at their edges.
+struct Turning<'a, F> {
+    faces: &'a [MeshFace],
+    position: F,
+    normals: Vec<Vector>,
+    neighbours: Vec<[Option<usize>; MOST_CORNERS]>,
+    around: HashMap<usize, Vec<(usize, usize)>>,
+}
+
+impl<'a, F: Fn(usize) -> Vector> Turning<'a, F> {
+    fn new(faces: &'a [MeshFace], position: F) -> Self {
+        let normals = faces.iter().map(|face| normal(face, &position)).collect();
+        let (neighbours, around) = (neighbours(faces), faces_around(faces));
+        Self { faces, position, normals, neighbours, around }
+    }
+
+    /// The turn at an edge of a face, positive where the edge stands out, zero at an end of the surface [rad].
+    fn turn(&self, face: usize, k: usize) -> f64 {
+        let Some(other) = self.neighbours[face][k] else { return 0.0 };
+        let angle = dot(self.normals[face], self.normals[other]).clamp(-1.0, 1.0).acos();
+        let corner = edge(&self.faces[face], k)[0];
+        let off = |&node: &usize| {
+            dot(sub((self.position)(node), (self.position)(corner)), self.normals[face])
+        };
+        let corners = &self.faces[other].nodes[..self.faces[other].cell.faces.len()];
+        let behind: f64 = corners.iter().map(off).sum();
+        if behind < 0.0 { angle } else { -angle }
+    }
+
+    /// Turns at the edges about both faces of an edge that go along it on other lines [rad].
+    fn beside(&self, face: usize, k: usize) -> impl Iterator<Item = f64> {
+        let own = edge(&self.faces[face], k);
+        let both = [Some(face), self.neighbours[face][k]].into_iter().flatten();
+        let corners = |face: usize| {
+            let corners = self.faces[face].cell.faces.len();
+            self.faces[face].nodes[..corners].iter()
+        };
+        let near = both.flat_map(corners).flat_map(|node| &self.around[node]);
+        let edges = near
+            .flat_map(|&(face, _)| (0..self.faces[face].cell.faces.len()).map(move |k| (face, k)));
+        let way = self.way(own);
+        edges.filter_map(move |(face, k)| {
+            let other = edge(&self.faces[face], k);
+            let touches = other.iter().any(|node| own.contains(node));
+            let along = dot(self.way(other), way).abs();
+            (!touches && along > ALONG).then(|| self.turn(face, k))
+        })
+    }
+
+    /// The direction between two nodes [1].
+    fn way(&self, [a, b]: [usize; 2]) -> Vector {
+        let way = sub((self.position)(b), (self.position)(a));
+        way.map(|own| own / size(way))
+    }
+}
