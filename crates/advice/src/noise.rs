@@ -8,6 +8,7 @@
 
 mod facets;
 mod pair;
+mod unseen;
 
 use crate::quadratic;
 use pair::Pair;
@@ -267,7 +268,7 @@ mod tests {
         let said = |closes_first: bool, approach: f64, pressed: Option<f64>| {
             // a face of it is one long
             let mut pair = Pair::example();
-            pair.has_corner = false;
+            pair.unseen.has_corner = false;
             let open = PairRow { unseen_depth: 0.06, unseen: Some(0), ..PairRow::default() };
             let closed =
                 PairRow { closed: 1, force: [1.0, 0.0, 0.0], approach, ..PairRow::default() };
@@ -280,6 +281,29 @@ mod tests {
         };
         assert!(said(false, 0.3, None) && !said(false, 3.0, None) && !said(true, 0.3, None));
         assert!(said(false, 300.0, Some(0.3)) && !said(false, 300.0, Some(3.0)));
+    }
+
+    /// Requirement: what stands in faces beyond their mean gap by much of the way by which the parts have come together,
+    /// where the pair carries most, is told with what it takes off the force; one that is little of that way is not.
+    #[test]
+    fn what_takes_much_of_the_way_is_said() {
+        let mut model = Model::default();
+        model.nodes.insert(Node { label: 7, position: [0.0; 3], origin: Span::default() });
+        let said = |rows: &[(f64, f64, f64)]| {
+            let mut pair = Pair::example();
+            for (k, &(force, unseen_depth, approach)) in rows.iter().enumerate() {
+                let force = [0.0, force, 0.0];
+                let of = PairRow { force, unseen_depth, approach, ..PairRow::default() };
+                let row = PairRow { closed: 1, unseen: Some(0), ..of };
+                pair.follow(&model, &row, None, k + 1);
+            }
+            pair.unseen().map(|said| said.message)
+        };
+        // a face of it is one long
+        let told = said(&[(1.0, 0.06, 0.14)]).unwrap();
+        assert!(told.contains("node 7") && told.contains("30 %"), "{told}");
+        assert!(said(&[(1.0, 0.06, 0.3)]).is_none());
+        assert!(said(&[(1.0, 0.06, 0.14), (2.0, 0.01, 0.3)]).is_none());
     }
 
     /// Requirement: a run in which no pair was ever closed is told so, one in which one was is not, nor is one

@@ -45,7 +45,7 @@ fn edges_of(model: &Model, (of, pair): (usize, &ContactPair)) -> Vec<EdgePair> {
     let mut found = Vec::new();
     if pair.formulation == Formulation::Mortar {
         let sharp = match pair.faces.is_empty() {
-            true => runs(&pair.elements).iter().flat_map(|run| sharp_nodes(run, 1.0, at)).collect(),
+            true => edges_of_line(&pair.elements, at),
             false => pair.corners.clone(),
         };
         let nodes = alone(sharp, &of_master);
@@ -76,9 +76,6 @@ fn nodes_of_slave(pair: &ContactPair) -> impl Iterator<Item = NodeIndex> + '_ {
 /// Nodes at which the master of a pair turns away sharply.
 fn sharp_of_master(pair: &ContactPair, at: impl Fn(NodeIndex) -> [f64; 3]) -> Vec<NodeIndex> {
     match &pair.master {
-        Master::SlideLine(line) if pair.formulation == Formulation::NodeToSurface => {
-            sharp_or_lone_nodes(&line.nodes, -1.0, at)
-        }
         Master::SlideLine(line) => sharp_nodes(&line.nodes, -1.0, at),
         Master::Faces(MasterFaces { faces, swept: None, .. }) => {
             let mut nodes = nodes_at_creases(faces, &at);
@@ -91,19 +88,17 @@ fn sharp_of_master(pair: &ContactPair, at: impl Fn(NodeIndex) -> [f64; 3]) -> Ve
     }
 }
 
-/// Nodes at which a line of the plane turns sharply to the side of the material: to its left (1) or
-/// to its right (-1).
-fn sharp_nodes(
-    nodes: &[NodeIndex],
-    side: f64,
+/// Nodes at which a slave line of solids in the plane turns away sharply, or by less but alone.
+pub fn edges_of_line(
+    elements: &[ContactElement],
     at: impl Fn(NodeIndex) -> [f64; 3],
 ) -> Vec<NodeIndex> {
-    let all = turns(nodes, side, at).into_iter();
-    all.filter(|own| own.1 > SHARP.acos()).map(|own| own.0).collect()
+    runs(elements).iter().flat_map(|run| sharp_nodes(run, 1.0, &at)).collect()
 }
 
-/// Those, and nodes at which it turns by less but alone, as at the foot of a chamfer.
-fn sharp_or_lone_nodes(
+/// Nodes at which a line of the plane turns sharply to the side of the material, to its left (1) or to its right (-1), or
+/// by less but alone, as at the foot of a chamfer.
+fn sharp_nodes(
     nodes: &[NodeIndex],
     side: f64,
     at: impl Fn(NodeIndex) -> [f64; 3],

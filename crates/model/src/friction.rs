@@ -51,6 +51,14 @@ impl Friction {
         matches!(self, Self::Coulomb { second: Some(_), .. })
     }
 
+    /// How far a sticking point may move, where the deck says so [L] (`ELASTIC SLIP`).
+    pub fn elastic_slip(&self) -> Option<f64> {
+        match self {
+            Self::Coulomb { stick: StickRule::ElasticSlip(slip), .. } => Some(*slip),
+            _ => None,
+        }
+    }
+
     /// Coulomb's coefficients along the first axis, at rest and in fast sliding [1]; the same without
     /// decay, zero for a law that has none.
     pub fn coefficients(&self) -> [f64; 2] {

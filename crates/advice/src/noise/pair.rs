@@ -1,27 +1,16 @@
 //! What one pair does over a run, and what that asks to be said.
 
 use super::facets::Facets;
-use crate::start::{length, less};
+use super::unseen::{Deep, Unseen};
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_measures::PairNoise;
-use slideline_mech::surface::mesh::area_between;
 use slideline_model::{ContactPair, Formulation, Master, Model, NodeIndex, NormalLaw, Vocabulary};
 use slideline_solve::observe::PairRow;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// Penetration above which a softened law has been pressed too far, in c0 [1].
 const DEEP: f64 = 3.0;
-/// Depth beyond the mean over a slave face above which a face does not see what lies in it, in sizes of
-/// the face [1]: edges and corners make 0.1 and more, round parts on coarse meshes up to 0.085 (measured).
-const UNSEEN: f64 = 0.1;
-/// The same while the pair is open [1], beside the corner of an analytical surface, which has no node that holds it: a
-/// fifth, as straight sides show nothing then, and round parts with a corner elsewhere up to l/5R at a radius R. So much
-/// is said of any pair that never closes: whatever its parts are, they stand in one another without a force.
-const UNSEEN_AND_OPEN: f64 = 0.02;
-/// Part of the way by which the parts have come together that they may have gone into one another before the pair closed
-/// first [1]: forces are off by about that.
-const LATE: f64 = 0.1;
 /// Forces of one pair that are left over, relative to their magnitudes [1]:
 /// thousands of times what rounding leaves.
 const UNBALANCED: f64 = 1e-9;
@@ -75,17 +64,8 @@ pub(super) struct Pair {
     changes: usize,
     penetration: f64,
     deepest: u64,
-    /// Largest depth that faces do not see, with a node of the face and the increment.
-    unseen: (f64, u64, usize),
-    /// Whether its master has a sharp corner that stands out and that no node holds.
-    pub has_corner: bool,
-    /// The same depth of increments in which the pair is open.
-    unseen_and_open: (f64, u64, usize),
-    /// How far its sides stood in one another before it closed first, where that was most [L], and the place of
-    /// `unseen_and_open` then.
-    before_it_closed: (f64, (f64, u64, usize)),
-    /// Sizes of the slave faces about each node [L].
-    faces: HashMap<NodeIndex, f64>,
+    /// What its faces do not see.
+    pub unseen: Unseen,
     /// Where it carries most.
     largest: Largest,
     /// Where it presses most.
@@ -117,11 +97,7 @@ impl Pair {
             changes: 0,
             penetration: 0.0,
             deepest: 0,
-            unseen: (0.0, 0, 0),
-            has_corner: has_corner(&pair.master),
-            unseen_and_open: (0.0, 0, 0),
-            before_it_closed: (0.0, (0.0, 0, 0)),
-            faces: face_sizes(model, pair),
+            unseen: Unseen::of(model, pair),
             largest: Largest::default(),
             pressed_most: Pressed::default(),
             facets: Facets::of(model, pair),
@@ -151,24 +127,13 @@ impl Pair {
             self.penetration = row.penetration;
             self.deepest = row.deepest.map_or(0, |node| model.nodes.label(node));
         }
-        let unseen =
-            (row.unseen_depth, row.unseen.map_or(0, |node| model.nodes.label(node)), increment);
-        self.unseen = deeper(self.unseen, unseen);
-        if row.closed == 0 {
-            self.unseen_and_open = deeper(self.unseen_and_open, unseen);
-        }
-        if !self.touched {
-            let size = row.unseen.and_then(|node| self.faces.get(&node));
-            let way = row.unseen_depth * size.copied().unwrap_or_default();
-            if way > self.before_it_closed.0 {
-                self.before_it_closed = (way, unseen);
-            }
-        }
         let force = row.force.iter().map(|own| own * own).sum::<f64>().sqrt();
-        if force > self.largest.force {
+        let carries_most = force > self.largest.force;
+        if carries_most {
             let PairRow { falls_away, smoothed_away, approach, .. } = *row;
             self.largest = Largest { force, falls_away, smoothed_away, approach, increment };
         }
+        self.unseen.follow(model, row, increment, [self.touched, carries_most]);
         let now = [row.force_imbalance, row.moment_imbalance];
         for (largest, now) in self.imbalance.iter_mut().zip(now) {
             if now > largest.0 || now.is_nan() {
@@ -265,21 +230,8 @@ impl Pair {
 
     /// SL0615: an edge, a corner or a round in the other side, which the mean over faces does not show.
     pub fn unseen(&self) -> Option<Diagnostic> {
-        let (way, before) = self.before_it_closed;
-        let ((depth, node, increment), held) = if self.unseen.0 > UNSEEN {
-            (self.unseen, "contact forces there are too small")
-        } else if self.unseen_and_open.0 <= UNSEEN_AND_OPEN {
-            return None;
-        } else if self.has_corner {
-            (self.unseen_and_open, "the pair is open")
-        } else if !self.touched {
-            (self.unseen_and_open, "the pair never closes, and no force acts")
-        } else if before.0 > UNSEEN_AND_OPEN && self.approach().is_some_and(|own| way > LATE * own)
-        {
-            (before, "the pair is open: it closes late")
-        } else {
-            return None;
-        };
+        let (Deep { depth, node, increment }, held) =
+            self.unseen.told(self.touched, self.approach())?;
         let message = format!(
             "an edge, a corner or a round goes through {}: in increment {increment} the slave face of node {node} and \
              the master stand in one another by {depth:.2} of the size of the face, and the mean gap over \
@@ -396,11 +348,7 @@ impl Pair {
             changes: 0,
             penetration: 0.0,
             deepest: 0,
-            unseen: (0.0, 0, 0),
-            has_corner: true,
-            unseen_and_open: (0.0, 0, 0),
-            before_it_closed: (0.0, (0.0, 0, 0)),
-            faces: HashMap::from([(0, 1.0)]),
+            unseen: Unseen::example(),
             largest: Largest::default(),
             pressed_most: Pressed::default(),
             facets: None,
@@ -408,42 +356,6 @@ impl Pair {
             imbalance: [(0.0, 0); 2],
         }
     }
-}
-
-/// Whether a master has a sharp corner that stands out and is no node: one of an analytical surface.
-fn has_corner(master: &Master) -> bool {
-    let Master::RigidSurface(surface) = master else { return false };
-    slideline_solve::rigid_surface(surface).is_some_and(|own| own.is_sharp())
-}
-
-/// Mean sizes of the slave faces about each node, where contact is spread over them: their length in the plane, the root of
-/// their area in space [L].
-fn face_sizes(model: &Model, pair: &ContactPair) -> HashMap<NodeIndex, f64> {
-    if pair.formulation != Formulation::Mortar {
-        return HashMap::new();
-    }
-    let place = |node: NodeIndex| model.nodes.position(node);
-    let lines = pair
-        .elements
-        .iter()
-        .map(|own| (&own.nodes[..], length(less(place(own.nodes[1]), place(own.nodes[0])))));
-    let faces = pair.faces.iter().map(|face| {
-        let corners = face.cell().map_or(0, |cell| cell.faces.len());
-        (&face.nodes[..], length(area_between(corners, |k| place(face.nodes[k]))).sqrt())
-    });
-    let mut all: HashMap<NodeIndex, (f64, f64)> = HashMap::new();
-    for (nodes, size) in lines.chain(faces) {
-        for &node in nodes {
-            let (sum, count) = all.entry(node).or_default();
-            (*sum, *count) = (*sum + size, *count + 1.0);
-        }
-    }
-    all.into_iter().map(|(node, (sum, count))| (node, sum / count)).collect()
-}
-
-/// The deeper one of two places.
-fn deeper(known: (f64, u64, usize), now: (f64, u64, usize)) -> (f64, u64, usize) {
-    if now.0 > known.0 { now } else { known }
 }
 
 #[cfg(test)]
@@ -526,7 +438,8 @@ mod tests {
         pair.follow(&model, &row(0.047, 0), None, 3);
         let text = pair.unseen().unwrap().message;
         assert!(text.contains("increment 3") && text.contains("is open"), "{text}");
-        let mut round = Pair { has_corner: false, ..Pair::example() };
+        let mut round = Pair::example();
+        round.unseen.has_corner = false;
         round.follow(&model, &row(0.047, 0), None, 1);
         let text = round.unseen().unwrap().message;
         assert!(text.contains("never closes"), "{text}");

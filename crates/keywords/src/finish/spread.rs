@@ -10,7 +10,7 @@ use std::collections::HashMap;
 
 use slideline_diag::{Code, Diagnostic};
 use slideline_mech::surface::mesh::SHARP;
-use slideline_model::{ContactElement, ContactFace, Master, MasterFaces, NodeIndex};
+use slideline_model::{ContactElement, ContactFace, Master, MasterFaces, NodeIndex, edges_of_line};
 
 use super::chain::Facet;
 use super::master_chain::slide_line;
@@ -139,7 +139,7 @@ fn sound(facets: &[Facet], pairing: &Pairing, draft: &mut Draft) -> Option<()> {
     Some(())
 }
 
-/// Slave nodes at which the surface turns sharply.
+/// Slave nodes at which the surface turns sharply to either side, or away by less but alone.
 pub(super) fn corners(elements: &[ContactElement], draft: &Draft) -> Vec<NodeIndex> {
     let direction = |element: &ContactElement| {
         let [a, b] = element.nodes.map(|node| draft.model.nodes.position(node));
@@ -153,5 +153,8 @@ pub(super) fn corners(elements: &[ContactElement], draft: &Draft) -> Vec<NodeInd
         let (x, y) = direction(element);
         ending.get(&element.nodes[0]).is_some_and(|(u, v)| u * x + v * y < SHARP)
     };
-    elements.iter().filter(turns).map(|element| element.nodes[0]).collect()
+    let mut found: Vec<_> = elements.iter().filter(turns).map(|element| element.nodes[0]).collect();
+    let edges = edges_of_line(elements, |node| draft.model.nodes.position(node));
+    found.extend(edges.into_iter().filter(|node| !found.contains(node)).collect::<Vec<_>>());
+    found
 }

@@ -29,27 +29,38 @@ const WITHIN: f64 = 1e-6;
 pub struct EdgeInside {
     /// The pair.
     pub pair: usize,
-    /// A node of the edge, by its place among those of its master; none of an analytical surface.
-    pub edge: Option<usize>,
+    /// What of the master.
+    pub what: Found,
     /// Corners of the face.
     pub face: Vec<NodeIndex>,
     /// How deep it stands [L].
     pub depth: f64,
 }
 
-/// A place of a sharp edge, and the face of the slave that is nearest to it.
-struct EdgePlace {
-    at: [f64; 3],
-    node: usize,
-    nearest: Option<NearFace>,
+/// What of a master stands in a face of the slave; nodes by their places among those of the master.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Found {
+    /// A sharp edge, near a node of it.
+    Edge(usize),
+    /// A node, in the part of the slave.
+    Node(usize),
+    /// A place of an analytical surface.
+    Surface,
+}
+
+/// A place of a master, and the face of the slave that is nearest to it.
+pub(super) struct EdgePlace {
+    pub(super) at: [f64; 3],
+    pub(super) node: usize,
+    pub(super) nearest: Option<NearFace>,
 }
 
 #[derive(Clone, Copy)]
-struct NearFace {
-    face: usize,
-    distance: f64,
+pub(super) struct NearFace {
+    pub(super) face: usize,
+    pub(super) distance: f64,
     /// How deep it stands behind the face, in sizes of the face [1]; zero before it or beside it.
-    depth: f64,
+    pub(super) depth: f64,
 }
 
 impl Contact {
@@ -81,7 +92,7 @@ impl Contact {
             let near = place.nearest.filter(|near| near.depth >= DEEP)?;
             let corners = &self.slave_faces[near.face].corners;
             let face = corners.iter().map(|(node, ..)| *node).collect();
-            Some(EdgeInside { pair, edge: Some(place.node), face, depth: near.distance })
+            Some(EdgeInside { pair, what: Found::Edge(place.node), face, depth: near.distance })
         });
         inside.max_by(|a, b| a.depth.total_cmp(&b.depth))
     }
@@ -128,7 +139,7 @@ impl Contact {
 }
 
 /// Notes a face at the places, in the order of their first coordinate, that it is nearest to.
-fn note_nearest(number: usize, face: &SlaveFace, u: &[f64], edges: &mut [EdgePlace]) {
+pub(super) fn note_nearest(number: usize, face: &SlaveFace, u: &[f64], edges: &mut [EdgePlace]) {
     let x: Vec<[f64; 3]> =
         face.corners.iter().map(|(_, from, dofs)| dofs.displace(*from, u)).collect();
     let (normal, long) = face.stands(u);

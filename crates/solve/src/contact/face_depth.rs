@@ -7,7 +7,7 @@
 //!          '  '   master
 //! ```
 
-use super::edges::EdgeInside;
+use super::edges::{EdgeInside, Found};
 use super::falls::{FallsRoom, places};
 use super::master::MasterSurface;
 use super::pairs::Contact;
@@ -68,7 +68,7 @@ impl Contact {
         }
         let Inside { place, face, depth, .. } = found?;
         let face = self.slave_faces[face].corners.iter().map(|(node, ..)| *node).collect();
-        Some(EdgeInside { pair: self.points[place].pair, edge: None, face, depth })
+        Some(EdgeInside { pair: self.points[place].pair, what: Found::Surface, face, depth })
     }
 
     fn is_analytical(&self, pair: usize) -> bool {

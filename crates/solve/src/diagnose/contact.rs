@@ -241,6 +241,14 @@ impl Case<'_> {
                 );
         }
         let slip = 0.02 * self.plan.contact_length(pair);
+        if pair.interaction.friction.elastic_slip().is_some_and(|given| given >= 0.5 * slip) {
+            return said.help(
+                "the results up to that time are kept; points move before they slide already (ELASTIC \
+                 SLIP), and that does not steady it: name the other side first on *CONTACT PAIR, let \
+                 contact be at the nodes (TYPE=NODE TO SURFACE), round the corner that passes there, \
+                 or use other increments",
+            );
+        }
         let help = format!(
             "the results up to that time are kept; let points move a little before they slide: \
              *FRICTION, ELASTIC SLIP={slip:.3E}"

@@ -10,7 +10,7 @@
 use super::analysis::{Analysis, Left};
 use super::shown::{Numbers, frame};
 use crate::commit::commit;
-use crate::contact::EdgeInside;
+use crate::contact::{EdgeInside, Found};
 use crate::diagnose::{self, Case};
 use crate::increments::{StopReason, Verdict};
 use crate::newton::{Outcome, Scratch, attempt, relax};
@@ -166,7 +166,7 @@ impl Analysis<'_> {
         self.tell(Event::Diagnosed(&said))
     }
 
-    /// Says so once where a sharp edge of a master stands in a face between two slave nodes.
+    /// Says so once where an edge or a node of a master stands in a face between slave nodes.
     pub(super) fn judge_edges(&mut self, plan: &Problem<'_>, work: &Scratch) -> Result<(), Left> {
         if self.edges_are_judged {
             return Ok(());
@@ -178,6 +178,7 @@ impl Analysis<'_> {
             let (positions, room) = (work.evaluation.positions(), &mut self.rows.heaviest.room);
             plan.contact.surface_inside((u, &committed.points), positions, room)
         });
+        let found = found.or_else(|| plan.contact.master_inside(plan, committed));
         let Some(found) = found else { return Ok(()) };
         self.edges_are_judged = true;
         let said = edge_inside(plan, &found, committed.total_time);
@@ -271,21 +272,33 @@ impl Analysis<'_> {
 fn edge_inside(plan: &Problem<'_>, found: &EdgeInside, time: f64) -> Diagnostic {
     let pair = &plan.model.contact_pairs[found.pair];
     let nodes = &plan.model.nodes;
-    let edge = found.edge.and_then(|edge| pair.master.deforming_nodes().get(edge).copied());
-    let edge = edge.map(|node| format!(", at node {},", nodes.name(node))).unwrap_or_default();
+    let place = match found.what {
+        Found::Edge(place) | Found::Node(place) => Some(place),
+        Found::Surface => None,
+    };
+    let node = place.and_then(|place| pair.master.deforming_nodes().get(place).copied());
+    let node = node.map(|node| nodes.name(node).to_string()).unwrap_or_default();
     let mut face: Vec<String> =
         found.face.iter().map(|&node| nodes.name(node).to_string()).collect();
     let last = face.pop().unwrap_or_default();
-    let (what, why, help) = match found.edge {
-        Some(_) => (
-            "an edge",
+    let (what, why, help) = match found.what {
+        Found::Edge(_) => (
+            format!("an edge of the master of {}, at node {node},", pair.name),
             "nodes of sharp edges are held, what lies between two of them is not, and a slave node may \
              catch on its side",
             "mesh the edge with elements no longer than the faces that it stands in: its nodes are then \
              held where it meets them",
         ),
-        None => (
-            "a ridge or round",
+        Found::Node(_) => (
+            format!("node {node} of the master of {}", pair.name),
+            "contact is at the nodes of the slave, none of that face is held, and the parts go through \
+             one another",
+            "name the narrower side, or that with the finer mesh, first on *CONTACT PAIR, spread the \
+             contact over faces with TYPE=SURFACE TO SURFACE, or make the slave elements there shorter \
+             than the master is wide",
+        ),
+        Found::Surface => (
+            format!("a ridge or round of the master of {}", pair.name),
             "contact is at the nodes of the slave, what lies between them is not held, and forces come \
              out too small",
             "make the slave elements there shorter than the ridge or round is wide, spread the contact \
@@ -293,9 +306,8 @@ fn edge_inside(plan: &Problem<'_>, found: &EdgeInside, time: f64) -> Diagnostic 
         ),
     };
     let message = format!(
-        "{what} of the master of {}{edge} stands {:.3e} deep in the face between slave nodes {} and \
-         {last} at total time {time:.6}: {why}",
-        pair.name,
+        "{what} stands {:.3e} deep in the face between slave nodes {} and {last} at total time \
+         {time:.6}: {why}",
         found.depth,
         face.join(", "),
     );

@@ -1,0 +1,113 @@
+//! The solids behind a side of a pair, and whether a node of the other side stands in them.
+//!
+//! ```text
+//!     +---+---+---+
+//!     |   | x |   |     x: deep in an element of the part, by the height of that element
+//!     +---+---+---+
+//! ```
+
+use super::parts::joined;
+use crate::problem::Problem;
+use crate::state::State;
+use slideline_mech::contact::search::tree::{Bounds, BoxTree};
+use slideline_mech::element::cell::{Cell, within};
+use slideline_mech::vector::{Vector, add, dot};
+use slideline_model::{Element, Kinematics, NodeIndex};
+use std::cmp::Ordering;
+
+/// Part of the height of the element in which a node stands by which it may stand behind the other side unsaid [1]. (choice)
+const DEEP: f64 = 0.1;
+/// Distance from an element at which a node is inside, in sizes of the element: far above rounding [1]. (choice)
+const UPON: f64 = 1e-6;
+
+/// A node behind the other side, and the outward normal of what it would face there.
+pub(super) struct Behind {
+    pub(super) node: NodeIndex,
+    /// How far behind [L].
+    pub(super) depth: f64,
+    pub(super) normal: Vector,
+}
+
+impl Behind {
+    /// Whether it comes before another one: the deeper one does, of two alike the first node.
+    pub(super) fn deeper_first(&self, other: &Self) -> Ordering {
+        other.depth.total_cmp(&self.depth).then(self.node.cmp(&other.node))
+    }
+}
+
+/// The solids of the part that a side of a pair belongs to, where they stand.
+pub(super) struct SolidsOfSide<'a> {
+    plan: &'a Problem<'a>,
+    committed: &'a State,
+    solids: Vec<(&'static Cell, Element<'a>)>,
+    tree: BoxTree<3>,
+}
+
+impl<'a> SolidsOfSide<'a> {
+    /// Those of the part of these nodes of a side; `None` where they belong to no solid.
+    pub(super) fn new(
+        plan: &'a Problem<'a>,
+        committed: &'a State,
+        of_side: &[NodeIndex],
+    ) -> Option<Self> {
+        let model = plan.model;
+        let root = joined(model);
+        let mut own: Vec<NodeIndex> = of_side.iter().map(|&node| root[node]).collect();
+        own.sort_unstable();
+        own.dedup();
+        let all = plan.step.presence.elements(&model.blocks);
+        let solids: Vec<_> = all
+            .filter(|(block, _)| matches!(block.kind.kinematics, Kinematics::Solid { .. }))
+            .filter(|(_, element)| own.binary_search(&root[element.nodes[0]]).is_ok())
+            .map(|(block, element)| (block.kind.cell, element))
+            .collect();
+        if solids.is_empty() {
+            return None;
+        }
+        let mut new = Self { plan, committed, solids, tree: BoxTree::default() };
+        let bounds = |solid: usize| -> Bounds<3> {
+            let all = || new.solids[solid].1.nodes.iter().map(|&node| new.place(node));
+            let fold = |from: f64, take: fn(f64, f64) -> f64| {
+                all().fold([from; 3], |so_far, at| std::array::from_fn(|k| take(so_far[k], at[k])))
+            };
+            (fold(f64::INFINITY, f64::min), fold(f64::NEG_INFINITY, f64::max))
+        };
+        new.tree = BoxTree::new(new.solids.len(), bounds);
+        Some(new)
+    }
+
+    /// Where a node stands [L].
+    fn place(&self, node: NodeIndex) -> Vector {
+        let moved = self.plan.dofs.translation(&self.committed.displacement, node);
+        add(self.plan.model.nodes.position(node), moved)
+    }
+
+    /// The number of the element in which a node stands, where it is deep in it by the height of that.
+    pub(super) fn holds(&self, behind: &Behind) -> Option<u64> {
+        let &Behind { node, depth, normal } = behind;
+        let at = self.place(node);
+        let mut found = None;
+        self.tree.overlapping((at, at), |solid| {
+            let (cell, element) = &self.solids[solid];
+            if found.is_some() || element.nodes.contains(&node) {
+                return;
+            }
+            let places: Vec<Vector> = element.nodes.iter().map(|&node| self.place(node)).collect();
+            let reach = |way: Vector| {
+                let along = places.iter().map(|&place| dot(place, way));
+                let (low, high) = along
+                    .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), own| {
+                        (low.min(own), high.max(own))
+                    });
+                high - low
+            };
+            let size = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(reach);
+            let near = UPON * size.into_iter().fold(0.0, f64::max);
+            let inside = within(cell, &places, at).is_some_and(|inside| inside.distance <= near);
+            if inside && depth > DEEP * reach(normal) {
+                found = Some(element.label);
+            }
+        });
+        found
+    }
+}
