@@ -286,7 +286,6 @@ pub(super) const GROUPS: &[Group] = &[
             "DISPLAY BODY",
             "ENRICHMENT",
             "ENRICHMENT ACTIVATION",
-            "FILTER",
             "FLUID BEHAVIOR",
             "FLUID CAVITY",
             "FLUID EXCHANGE",

@@ -54,6 +54,7 @@ pub(super) const GROUPS: &[Group] = &[
         "it changes printed or progress output only; JOB.sta and JOB.history.csv grow line by line",
         &["PREPRINT", "MONITOR", "DIAGNOSTICS", "USER OUTPUT VARIABLES", "TIME POINTS"],
     ),
+    (Ignored, "histories are written as they are computed, unfiltered", &["FILTER"]),
     (
         Ignored,
         "no such table is written; JOB.history.csv has the forces of the supports and \
