@@ -8,7 +8,7 @@ use crate::friction::Friction;
 use crate::model::Model;
 use crate::node::NodeIndex;
 use crate::surface::{ContactFace, Master, MasterFaces};
-use slideline_mech::surface::mesh::{FaceMesh, MeshFace, SHARP};
+use slideline_mech::surface::mesh::{FaceMesh, SHARP};
 use slideline_mech::vector::{dot, size, sub};
 use std::collections::{HashMap, HashSet};
 
@@ -49,9 +49,8 @@ fn edges(
     positions: &[[f64; 3]],
     other: &HashSet<NodeIndex>,
 ) -> Vec<SharpEdge> {
-    let of_mesh =
-        |face: &ContactFace| Some(MeshFace { cell: face.cell()?, nodes: face.nodes.clone() });
-    let mesh = FaceMesh::new(faces.iter().filter_map(of_mesh).collect(), positions, false);
+    let faces = faces.iter().filter_map(ContactFace::of_mesh).collect();
+    let mesh = FaceMesh::new(faces, positions, false);
     let corners = |face: usize| {
         let own = &mesh.faces()[face];
         own.nodes[..own.cell.faces.len()].to_vec()

@@ -17,6 +17,7 @@ use crate::edge_pair::EdgePair;
 use crate::left_out::LeftOut;
 use crate::model::Model;
 use crate::node::NodeIndex;
+use crate::part_edges::nodes_at_part_edges;
 use crate::surface::{ContactFace, Master, MasterFaces, SlideLine};
 use slideline_mech::surface::lone::{is_lone, lone_edges};
 use slideline_mech::surface::mesh::{MeshFace, SHARP, smooth_groups};
@@ -52,7 +53,7 @@ fn edges_of(model: &Model, (of, pair): (usize, &ContactPair)) -> Vec<EdgePair> {
         let (met, left_out) = (as_met_by_nodes(&pair.master), pair.left_out.clone());
         found.push(EdgePair { of, nodes, is_of_master: false, met, left_out });
     }
-    let sharp = alone(sharp_of_master(pair, at), &of_slave);
+    let sharp = alone(sharp_of_master(model, pair, at), &of_slave);
     for met in surfaces_of_slave(pair, &sharp, at) {
         let nodes = sharp.clone();
         let left_out = pair.left_out.iter().map(LeftOut::turned).collect();
@@ -74,13 +75,19 @@ fn nodes_of_slave(pair: &ContactPair) -> impl Iterator<Item = NodeIndex> + '_ {
 }
 
 /// Nodes at which the master of a pair turns away sharply.
-fn sharp_of_master(pair: &ContactPair, at: impl Fn(NodeIndex) -> [f64; 3]) -> Vec<NodeIndex> {
+fn sharp_of_master(
+    model: &Model,
+    pair: &ContactPair,
+    at: impl Fn(NodeIndex) -> [f64; 3],
+) -> Vec<NodeIndex> {
     match &pair.master {
         Master::SlideLine(line) => sharp_nodes(&line.nodes, -1.0, at),
         Master::Faces(MasterFaces { faces, swept: None, .. }) => {
             let mut nodes = nodes_at_creases(faces, &at);
             if pair.formulation == Formulation::NodeToSurface {
                 nodes.extend(lone_edges(&mesh_of(faces), &at).into_iter().flatten());
+                let planes = model.planes_beyond(std::iter::once(Some(&pair.master)));
+                nodes.extend(nodes_at_part_edges(model, faces, &planes.concat()));
             }
             nodes
         }
@@ -159,9 +166,7 @@ pub fn nodes_at_creases(
 
 /// Faces as the mechanics knows them, those of a known cell.
 fn mesh_of(faces: &[ContactFace]) -> Vec<MeshFace> {
-    let of_mesh =
-        |face: &ContactFace| Some(MeshFace { cell: face.cell()?, nodes: face.nodes.clone() });
-    faces.iter().filter_map(of_mesh).collect()
+    faces.iter().filter_map(ContactFace::of_mesh).collect()
 }
 
 /// A master that contact over faces slides on as what nodes meet.
