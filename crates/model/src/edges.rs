@@ -17,7 +17,7 @@ use crate::edge_pair::EdgePair;
 use crate::left_out::LeftOut;
 use crate::model::Model;
 use crate::node::NodeIndex;
-use crate::part_edges::nodes_at_part_edges;
+use crate::part_edges::{ends_at_part_edges, nodes_at_part_edges};
 use crate::surface::{ContactFace, Master, MasterFaces, SlideLine};
 use slideline_mech::surface::lone::{is_lone, lone_edges};
 use slideline_mech::surface::mesh::{MeshFace, SHARP, smooth_groups};
@@ -81,7 +81,14 @@ fn sharp_of_master(
     at: impl Fn(NodeIndex) -> [f64; 3],
 ) -> Vec<NodeIndex> {
     match &pair.master {
-        Master::SlideLine(line) => sharp_nodes(&line.nodes, -1.0, at),
+        Master::SlideLine(line) => {
+            let mut nodes = sharp_nodes(&line.nodes, -1.0, &at);
+            if pair.formulation == Formulation::NodeToSurface {
+                let planes = model.planes_beyond(std::iter::once(Some(&pair.master)));
+                nodes.extend(ends_at_part_edges(model, &line.nodes, &planes.concat()));
+            }
+            nodes
+        }
         Master::Faces(MasterFaces { faces, swept: None, .. }) => {
             let mut nodes = nodes_at_creases(faces, &at);
             if pair.formulation == Formulation::NodeToSurface {
@@ -250,11 +257,11 @@ fn runs(elements: &[ContactElement]) -> Vec<Vec<NodeIndex>> {
 mod tests {
     use super::*;
 
-    /// Requirement: a line that turns by 45 degrees is sharp wherever it stands and however it is turned; one that turns
-    /// by 44 is not.
+    /// Requirement: a line that turns by 45 degrees, and one that turns by 20 alone, has an edge wherever it stands and
+    /// however it is turned.
     #[test]
-    fn chamfers_of_45_degrees_are_sharp() {
-        for (degrees, is_sharp) in [(45.0, true), (44.0, false)] {
+    fn chamfers_are_edges() {
+        for (degrees, is_sharp) in [(45.0, true), (44.0, true), (21.0, true), (19.0, false)] {
             for (away, turn) in [(0.0, 0.0), (64.0, 0.3), (1e4, 1.1), (-333.3, 2.0), (0.1, 5.0)] {
                 let at = |node: NodeIndex| {
                     let (long, turned): (f64, f64) = if node == 2 {
@@ -272,5 +279,31 @@ mod tests {
                 assert_eq!(found == [1], is_sharp, "{degrees} {away} {turn}");
             }
         }
+    }
+
+    /// Requirement: rounds of few chords have no edges but those of 45 degrees and more, nor have their ends, where chords turn
+    /// by half; the feet of a chamfer have, of one chord or of three.
+    #[test]
+    fn rounds_have_no_edges() {
+        let edges = |turns: &[f64]| {
+            let (mut way, mut places) = (0.0_f64, vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]);
+            for turn in turns {
+                way += turn.to_radians();
+                let [x, y, _] = places[places.len() - 1];
+                places.push([x + way.cos(), y + way.sin(), 0.0]);
+            }
+            let nodes: Vec<NodeIndex> = (0..places.len()).collect();
+            sharp_nodes(&nodes, 1.0, |node| places[node]).len()
+        };
+        for chords in [3.0, 4.0, 5.0, 8.0] {
+            let turn = 90.0 / chords;
+            let whole = vec![turn; 8];
+            let tangent = [&[turn / 2.0], &whole[1..], &[turn / 2.0]].concat();
+            assert_eq!((edges(&whole), edges(&tangent)), (0, 0), "{turn}");
+        }
+        assert_eq!(edges(&[40.0, 50.0]), 2);
+        assert_eq!(edges(&[30.0, 0.0, 0.0, 60.0]), 2);
+        assert_eq!(edges(&[0.0, 25.0, 0.0]), 1);
+        assert_eq!(edges(&[-30.0, -60.0]), 0);
     }
 }

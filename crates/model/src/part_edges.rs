@@ -14,8 +14,8 @@ use crate::model::Model;
 use crate::node::NodeIndex;
 use crate::surface::ContactFace;
 use crate::symmetry::{SymmetryPlane, corners_of, parts};
-use slideline_mech::surface::mesh::{area_between, is_crease};
-use slideline_mech::vector::{Vector, dot, scale, size, sub};
+use slideline_mech::surface::mesh::{SHARP, area_between, is_crease};
+use slideline_mech::vector::{Vector, cross, dot, scale, size, sub};
 use std::collections::{HashMap, HashSet};
 
 /// An edge by its nodes, the lower one first.
@@ -47,6 +47,48 @@ pub(crate) fn nodes_at_part_edges(
     nodes.sort_unstable();
     nodes.dedup();
     nodes
+}
+
+/// The ends of a line of nodes in the plane at which the part turns away sharply; none that lie in one of the planes, and
+/// none of a line that goes round.
+pub(crate) fn ends_at_part_edges(
+    model: &Model,
+    line: &[NodeIndex],
+    planes: &[SymmetryPlane],
+) -> Vec<NodeIndex> {
+    let at = |node: NodeIndex| model.nodes.position(node);
+    let is_cut = |node: NodeIndex| planes.iter().any(|plane| plane.holds(at(node)));
+    let mut ends: Vec<NodeIndex> = match line {
+        [first, .., last] if first != last => vec![*first, *last],
+        _ => Vec::new(),
+    };
+    ends.retain(|&node| !is_cut(node));
+    if ends.is_empty() {
+        return ends;
+    }
+    // faces have the material on their left
+    let mut faces: HashMap<Edge, (Edge, usize)> = HashMap::new();
+    for (block, element) in parts(model).filter(|(block, _)| block.kind.cell.dimension == 2) {
+        if !element.nodes.iter().any(|node| ends.contains(node)) {
+            continue;
+        }
+        for face in block.kind.cell.faces {
+            let (Some(&first), Some(&last)) = (face.first(), face.last()) else { continue };
+            let face = [element.nodes[first], element.nodes[last]];
+            faces.entry(ordered(face)).or_insert((face, 0)).1 += 1;
+        }
+    }
+    let free = || faces.values().filter(|(_, count)| *count == 1).map(|(face, _)| face);
+    let turns = |node: &NodeIndex| {
+        let before = free().find(|face| face[1] == *node);
+        let behind = free().find(|face| face[0] == *node);
+        before.zip(behind).is_some_and(|(before, behind)| {
+            let [one, other] = [before, behind].map(|&[a, b]| sub(at(b), at(a)));
+            cross(one, other)[2] > 0.0 && dot(one, other) < SHARP * size(one) * size(other)
+        })
+    };
+    ends.retain(turns);
+    ends
 }
 
 /// The edges of faces that no other of them shares, with their face.

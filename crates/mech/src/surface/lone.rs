@@ -71,7 +71,7 @@ impl<'a, F: Fn(usize) -> Vector> Turning<'a, F> {
         if behind < 0.0 { angle } else { -angle }
     }
 
-    /// Turns at the edges about both faces of an edge that go along it on other lines [rad].
+    /// Turns at the edges about both faces of an edge that go along it on the lines beside it [rad].
     fn beside(&self, face: usize, k: usize) -> impl Iterator<Item = f64> {
         let own = edge(&self.faces[face], k);
         let both = [Some(face), self.neighbours[face][k]].into_iter().flatten();
@@ -79,15 +79,17 @@ impl<'a, F: Fn(usize) -> Vector> Turning<'a, F> {
             let corners = self.faces[face].cell.faces.len();
             self.faces[face].nodes[..corners].iter()
         };
-        let near = both.flat_map(corners).flat_map(|node| &self.around[node]);
+        let near = both.clone().flat_map(corners).flat_map(|node| &self.around[node]);
         let edges = near
             .flat_map(|&(face, _)| (0..self.faces[face].cell.faces.len()).map(move |k| (face, k)));
-        let way = self.way(own);
+        let (way, nodes) = (self.way(own), both.clone().flat_map(corners));
+        let nodes: Vec<usize> = nodes.copied().collect();
         edges.filter_map(move |(face, k)| {
             let other = edge(&self.faces[face], k);
             let touches = other.iter().any(|node| own.contains(node));
+            let is_next = other.iter().any(|node| nodes.contains(node));
             let along = dot(self.way(other), way).abs();
-            (!touches && along > ALONG).then(|| self.turn(face, k))
+            (!touches && is_next && along > ALONG).then(|| self.turn(face, k))
         })
     }
 
@@ -95,5 +97,55 @@ impl<'a, F: Fn(usize) -> Vector> Turning<'a, F> {
     fn way(&self, [a, b]: [usize; 2]) -> Vector {
         let way = sub((self.position)(b), (self.position)(a));
         way.map(|own| own / size(way))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::element::cell::{QUAD4, TRI3};
+
+    /// Faces, four corners each or halves of them, over a line of the plane that goes on along z.
+    fn swept(turns: &[f64], halved: bool) -> usize {
+        let (mut way, mut line) = (0.0_f64, vec![[0.0, 0.0], [1.0, 0.0]]);
+        for turn in turns {
+            way -= turn.to_radians();
+            let [x, y] = line[line.len() - 1];
+            line.push([x + way.cos(), y + way.sin()]);
+        }
+        let rows = 3;
+        let node = |k: usize, row: usize| rows * k + row;
+        let mut faces = Vec::new();
+        for (k, row) in (0..line.len() - 1).flat_map(|k| (0..rows - 1).map(move |row| (k, row))) {
+            // the outside is above: x, then z downwards
+            let own = [node(k, row + 1), node(k + 1, row + 1), node(k + 1, row), node(k, row)];
+            if halved {
+                for nodes in [[own[0], own[1], own[2]], [own[0], own[2], own[3]]] {
+                    faces.push(MeshFace { cell: &TRI3, nodes: nodes.to_vec() });
+                }
+            } else {
+                faces.push(MeshFace { cell: &QUAD4, nodes: own.to_vec() });
+            }
+        }
+        let at = |n: usize| [line[n / rows][0], line[n / rows][1], 0.7 * (n % rows) as f64];
+        lone_edges(&faces, at).len()
+    }
+
+    /// Requirement: edges of a chamfer are lone, of quadrilaterals and of triangles, those of a round, of a valley and sharp
+    /// ones are not. Two rows of faces have each edge twice.
+    #[test]
+    fn chamfers_are_lone_and_rounds_are_not() {
+        for halved in [false, true] {
+            assert_eq!(swept(&[0.0, 30.0, 0.0], halved), 2);
+            assert_eq!(swept(&[30.0, 60.0], halved), 2);
+            assert_eq!(swept(&[40.0, 0.0, 40.0], halved), 4);
+            for turn in [22.5, 30.0, 36.0] {
+                assert_eq!(swept(&[turn; 5], halved), 0, "{turn}");
+                assert_eq!(swept(&[turn / 2.0, turn, turn, turn / 2.0], halved), 0, "{turn}");
+            }
+            assert_eq!(swept(&[0.0, -30.0, 0.0], halved), 0);
+            assert_eq!(swept(&[0.0, 60.0, 0.0], halved), 0);
+            assert_eq!(swept(&[0.0, 18.0, 0.0], halved), 0);
+        }
     }
 }

@@ -33,6 +33,7 @@ mod narrow_masters;
 mod no_separation;
 mod noise;
 mod pairs_that_leave;
+mod part_edges;
 mod pressed_on_planes;
 mod profiles;
 mod ridges;

@@ -146,3 +146,41 @@ fn what_is_flat_is_not_narrow_for_triangles() {
     assert!(!said("flat_tetrahedra", 0.0));
     assert!(said("ridge_of_tetrahedra", 0.4));
 }
+
+/// An arm of so many elements that a round bump goes under, contact over its faces.
+fn arm(elements: usize) -> String {
+    let mut text = "*HEADING\narm\n*NODE\n9999, 0., 0.\n".to_owned();
+    let node = |i: usize, j: usize| 1 + i + j * (elements + 1);
+    for (i, j) in (0..3).flat_map(|j| (0..=elements).map(move |i| (i, j))) {
+        text += &format!("{}, {:?}, {j}.\n", node(i, j), 60.0 * i as f64 / elements as f64);
+    }
+    text += "*ELEMENT, TYPE=CPS4I, ELSET=ARM\n";
+    for (i, j) in (0..2).flat_map(|j| (0..elements).map(move |i| (i, j))) {
+        let corners = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]];
+        let [a, b, c, d] = corners.map(|[i, j]| node(i, j));
+        text += &format!("{}, {a}, {b}, {c}, {d}\n", 1 + i + j * elements);
+    }
+    text += "*SURFACE, NAME=LOWER\n";
+    (elements / 2..elements).for_each(|i| text += &format!("{}, S1\n", 1 + i));
+    let held = [0, 1, 2].map(|j| node(0, j));
+    text + &format!(
+        "*SURFACE, NAME=BUMP, TYPE=SEGMENTS\nSTART, 61., -0.5\nCIRCL, 62., 0.5, 62., -0.5\n\
+         CIRCL, 63., -0.5, 62., -0.5\n*RIGID BODY, REF NODE=9999, ANALYTICAL SURFACE=BUMP\n\
+         *SOLID SECTION, ELSET=ARM, MATERIAL=M\n10.\n*MATERIAL, NAME=M\n*ELASTIC\n2000., .3\n\
+         *SURFACE INTERACTION, NAME=I\n*FRICTION\n.1\n*CONTACT PAIR, INTERACTION=I, \
+         TYPE=SURFACE TO SURFACE\nLOWER, BUMP\n*NSET, NSET=HELD\n{}, {}, {}\n*BOUNDARY\nHELD, 1, 2\n\
+         9999, 2, 2\n9999, 6, 6\n*STEP, NLGEOM, INC=400\n*STATIC\n.02, 1., , .02\n*BOUNDARY\n\
+         9999, 1, 1, -10.\n*END STEP\n",
+        held[0], held[1], held[2]
+    )
+}
+
+/// Requirement: a bump between the nodes of a flexible arm, unseen by a mean over its faces, is told of where these are wide
+/// for it. Source: with elements of 4 and 2 the bump of radius 1 lifts the arm by two thirds of what it does with elements of a
+/// quarter; faces show by less than a tenth of their size.
+#[test]
+fn a_bump_between_the_nodes_of_an_arm_is_told() {
+    for elements in [15, 30] {
+        assert!(told(&format!("arm_{elements}"), &arm(elements)).contains(&"SL0615".to_owned()));
+    }
+}

@@ -21,6 +21,8 @@ use slideline_model::NodeIndex;
 const DEEP: f64 = 0.1;
 /// Places along an edge in space that are looked at, its ends among them.
 const PLACES: usize = 5;
+/// Cosine of the angle at which a place stands straight behind a border [1]: 2.6 degrees. (choice)
+const STRAIGHT: f64 = 0.999;
 /// Share of the nodes of a face that a place in it has at least [1]: less stands upon its border.
 const WITHIN: f64 = 1e-6;
 
@@ -61,6 +63,8 @@ pub(super) struct NearFace {
     pub(super) distance: f64,
     /// How deep it stands behind the face, in sizes of the face [1]; zero before it or beside it.
     pub(super) depth: f64,
+    /// The same, upon the border of the face too, where the place stands straight behind that.
+    pub(super) straight: f64,
 }
 
 impl Contact {
@@ -163,7 +167,9 @@ pub(super) fn note_nearest(number: usize, face: &SlaveFace, u: &[f64], edges: &m
         }
         let behind = dot(sub(near.place, place.at), normal) / size(normal);
         let is_within = near.shapes[..x.len()].iter().all(|share| *share > WITHIN);
-        let depth = if is_within { (behind / long).max(0.0) } else { 0.0 };
-        place.nearest = Some(NearFace { face: number, distance: near.distance, depth });
+        let is_straight = is_within || behind >= STRAIGHT * near.distance;
+        let [depth, straight] =
+            [is_within, is_straight].map(|is| if is { (behind / long).max(0.0) } else { 0.0 });
+        place.nearest = Some(NearFace { face: number, distance: near.distance, depth, straight });
     }
 }

@@ -59,7 +59,7 @@ impl Contact {
         let mut found: Vec<(Behind, usize, usize)> = places
             .iter()
             .filter_map(|place| {
-                let near = place.nearest.filter(|near| near.depth > DEEP)?;
+                let near = place.nearest.filter(|near| near.straight > DEEP)?;
                 let (normal, _) = self.slave_faces[near.face].stands(u);
                 let normal = scale(normal, 1.0 / size(normal));
                 let behind = Behind { node: of_master[place.node], depth: near.distance, normal };
