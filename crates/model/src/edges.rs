@@ -19,6 +19,7 @@ use crate::model::Model;
 use crate::node::NodeIndex;
 use crate::part_edges::{ends_at_part_edges, nodes_at_part_edges};
 use crate::surface::{ContactFace, Master, MasterFaces, SlideLine};
+use crate::symmetry::SymmetryPlane;
 use slideline_mech::surface::lone::{is_lone, lone_edges};
 use slideline_mech::surface::mesh::{MeshFace, SHARP, smooth_groups};
 use slideline_mech::vector::{cross, dot, size, sub};
@@ -27,15 +28,23 @@ use std::collections::{HashMap, HashSet};
 impl Model {
     /// Finds the sharp edges of its pairs of solids anew.
     pub fn find_edges(&mut self) {
-        let pairs = self.contact_pairs.iter().enumerate();
-        self.edge_pairs = pairs.flat_map(|(of, pair)| edges_of(self, (of, pair))).collect();
+        let at_nodes = |pair: &ContactPair| pair.formulation == Formulation::NodeToSurface;
+        let masters = self.contact_pairs.iter();
+        let masters = masters.map(|pair| at_nodes(pair).then_some(&pair.master));
+        let planes = self.planes_beyond(masters);
+        let pairs = self.contact_pairs.iter().enumerate().zip(&planes);
+        self.edge_pairs = pairs.flat_map(|(own, planes)| edges_of(self, own, planes)).collect();
         let pairs = self.contact_pairs.iter().enumerate();
         self.crossing_edges = pairs.filter_map(|own| crossing_edges(self, own)).collect();
     }
 }
 
 /// The sharp edges of both sides of a pair.
-fn edges_of(model: &Model, (of, pair): (usize, &ContactPair)) -> Vec<EdgePair> {
+fn edges_of(
+    model: &Model,
+    (of, pair): (usize, &ContactPair),
+    planes: &[SymmetryPlane],
+) -> Vec<EdgePair> {
     let is_of_faces = pair.of_solids || !pair.faces.is_empty();
     if !is_of_faces || pair.meets_itself() || pair.offset != Offset::NONE {
         return Vec::new();
@@ -53,7 +62,7 @@ fn edges_of(model: &Model, (of, pair): (usize, &ContactPair)) -> Vec<EdgePair> {
         let (met, left_out) = (as_met_by_nodes(&pair.master), pair.left_out.clone());
         found.push(EdgePair { of, nodes, is_of_master: false, met, left_out });
     }
-    let sharp = alone(sharp_of_master(model, pair, at), &of_slave);
+    let sharp = alone(sharp_of_master(model, (pair, planes), at), &of_slave);
     for met in surfaces_of_slave(pair, &sharp, at) {
         let nodes = sharp.clone();
         let left_out = pair.left_out.iter().map(LeftOut::turned).collect();
@@ -77,15 +86,14 @@ fn nodes_of_slave(pair: &ContactPair) -> impl Iterator<Item = NodeIndex> + '_ {
 /// Nodes at which the master of a pair turns away sharply.
 fn sharp_of_master(
     model: &Model,
-    pair: &ContactPair,
+    (pair, planes): (&ContactPair, &[SymmetryPlane]),
     at: impl Fn(NodeIndex) -> [f64; 3],
 ) -> Vec<NodeIndex> {
     match &pair.master {
         Master::SlideLine(line) => {
             let mut nodes = sharp_nodes(&line.nodes, -1.0, &at);
             if pair.formulation == Formulation::NodeToSurface {
-                let planes = model.planes_beyond(std::iter::once(Some(&pair.master)));
-                nodes.extend(ends_at_part_edges(model, &line.nodes, &planes.concat()));
+                nodes.extend(ends_at_part_edges(model, &line.nodes, planes));
             }
             nodes
         }
@@ -93,8 +101,7 @@ fn sharp_of_master(
             let mut nodes = nodes_at_creases(faces, &at);
             if pair.formulation == Formulation::NodeToSurface {
                 nodes.extend(lone_edges(&mesh_of(faces), &at).into_iter().flatten());
-                let planes = model.planes_beyond(std::iter::once(Some(&pair.master)));
-                nodes.extend(nodes_at_part_edges(model, faces, &planes.concat()));
+                nodes.extend(nodes_at_part_edges(model, faces, planes));
             }
             nodes
         }

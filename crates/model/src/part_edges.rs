@@ -16,7 +16,7 @@ use crate::surface::ContactFace;
 use crate::symmetry::{SymmetryPlane, corners_of, parts};
 use slideline_mech::surface::mesh::{SHARP, area_between, is_crease};
 use slideline_mech::vector::{Vector, cross, dot, scale, size, sub};
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// An edge by its nodes, the lower one first.
 type Edge = [NodeIndex; 2];
@@ -67,7 +67,7 @@ pub(crate) fn ends_at_part_edges(
         return ends;
     }
     // faces have the material on their left
-    let mut faces: HashMap<Edge, (Edge, usize)> = HashMap::new();
+    let mut faces: BTreeMap<Edge, ([NodeIndex; 2], usize)> = BTreeMap::new();
     for (block, element) in parts(model).filter(|(block, _)| block.kind.cell.dimension == 2) {
         if !element.nodes.iter().any(|node| ends.contains(node)) {
             continue;
@@ -117,7 +117,7 @@ type Side = Vec<NodeIndex>;
 /// The free faces of solids at these edges.
 fn sides_at(model: &Model, ends: &HashMap<Edge, usize>) -> HashMap<Edge, Vec<Side>> {
     let at_ends: HashSet<NodeIndex> = ends.keys().flatten().copied().collect();
-    let mut free: HashMap<Side, (Side, usize)> = HashMap::new();
+    let mut free: BTreeMap<Side, (Side, usize)> = BTreeMap::new();
     for (block, element) in parts(model) {
         let is_solid = block.kind.cell.dimension == 3;
         if !is_solid || element.nodes.iter().filter(|node| at_ends.contains(node)).count() < 2 {
