@@ -17,7 +17,7 @@ use crate::edge_pair::EdgePair;
 use crate::left_out::LeftOut;
 use crate::model::Model;
 use crate::node::NodeIndex;
-use crate::part_edges::{ends_at_part_edges, nodes_at_part_edges};
+use crate::part_edges::nodes_at_part_edges;
 use crate::surface::{ContactFace, Master, MasterFaces, SlideLine};
 use crate::symmetry::SymmetryPlane;
 use slideline_mech::surface::lone::{is_lone, lone_edges};
@@ -90,18 +90,13 @@ fn sharp_of_master(
     at: impl Fn(NodeIndex) -> [f64; 3],
 ) -> Vec<NodeIndex> {
     match &pair.master {
-        Master::SlideLine(line) => {
-            let mut nodes = sharp_nodes(&line.nodes, -1.0, &at);
-            if pair.formulation == Formulation::NodeToSurface {
-                nodes.extend(ends_at_part_edges(model, &line.nodes, planes));
-            }
-            nodes
-        }
+        Master::SlideLine(line) => sharp_nodes(&line.nodes, -1.0, at),
         Master::Faces(MasterFaces { faces, swept: None, .. }) => {
             let mut nodes = nodes_at_creases(faces, &at);
             if pair.formulation == Formulation::NodeToSurface {
                 nodes.extend(lone_edges(&mesh_of(faces), &at).into_iter().flatten());
-                nodes.extend(nodes_at_part_edges(model, faces, planes));
+                let slave: Vec<NodeIndex> = nodes_of_slave(pair).collect();
+                nodes.extend(nodes_at_part_edges(model, (faces, &slave), planes));
             }
             nodes
         }

@@ -14,18 +14,21 @@ use crate::model::Model;
 use crate::node::NodeIndex;
 use crate::surface::ContactFace;
 use crate::symmetry::{SymmetryPlane, corners_of, parts};
-use slideline_mech::surface::mesh::{SHARP, area_between, is_crease};
-use slideline_mech::vector::{Vector, cross, dot, scale, size, sub};
+use slideline_mech::surface::mesh::{area_between, is_crease};
+use slideline_mech::vector::{Vector, dot, scale, size, sub};
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// An edge by its nodes, the lower one first.
 type Edge = [NodeIndex; 2];
 
+/// Part of an edge within which a node of the slave stands upon a node of it [1]. (choice)
+const UPON: f64 = 0.01;
+
 /// Nodes of the edges of a part in space at which its surface of these faces ends, and the part turns away sharply; none
-/// that lie in one of the planes.
+/// that lie in one of the planes, or that nodes of the slave stand upon.
 pub(crate) fn nodes_at_part_edges(
     model: &Model,
-    faces: &[ContactFace],
+    (faces, slave): (&[ContactFace], &[NodeIndex]),
     planes: &[SymmetryPlane],
 ) -> Vec<NodeIndex> {
     let mut ends = ends_of_surface(faces);
@@ -46,49 +49,33 @@ pub(crate) fn nodes_at_part_edges(
         .collect();
     nodes.sort_unstable();
     nodes.dedup();
+    leave_met(model, &ends, slave, &mut nodes);
     nodes
 }
 
-/// The ends of a line of nodes in the plane at which the part turns away sharply; none that lie in one of the planes, and
-/// none of a line that goes round.
-pub(crate) fn ends_at_part_edges(
+/// Leaves out nodes that a node of the slave stands upon before any displacement, as where meshes match: that one is held.
+fn leave_met(
     model: &Model,
-    line: &[NodeIndex],
-    planes: &[SymmetryPlane],
-) -> Vec<NodeIndex> {
+    ends: &HashMap<Edge, usize>,
+    slave: &[NodeIndex],
+    nodes: &mut Vec<NodeIndex>,
+) {
     let at = |node: NodeIndex| model.nodes.position(node);
-    let is_cut = |node: NodeIndex| planes.iter().any(|plane| plane.holds(at(node)));
-    let mut ends: Vec<NodeIndex> = match line {
-        [first, .., last] if first != last => vec![*first, *last],
-        _ => Vec::new(),
-    };
-    ends.retain(|&node| !is_cut(node));
-    if ends.is_empty() {
-        return ends;
-    }
-    // faces have the material on their left
-    let mut faces: BTreeMap<Edge, ([NodeIndex; 2], usize)> = BTreeMap::new();
-    for (block, element) in parts(model).filter(|(block, _)| block.kind.cell.dimension == 2) {
-        if !element.nodes.iter().any(|node| ends.contains(node)) {
-            continue;
-        }
-        for face in block.kind.cell.faces {
-            let (Some(&first), Some(&last)) = (face.first(), face.last()) else { continue };
-            let face = [element.nodes[first], element.nodes[last]];
-            faces.entry(ordered(face)).or_insert((face, 0)).1 += 1;
+    let mut of_slave: Vec<Vector> = slave.iter().map(|&node| at(node)).collect();
+    of_slave.sort_unstable_by(|a, b| a[0].total_cmp(&b[0]));
+    let mut shortest: HashMap<NodeIndex, f64> = HashMap::new();
+    for &[a, b] in ends.keys() {
+        let length = size(sub(at(a), at(b)));
+        for node in [a, b] {
+            shortest.entry(node).and_modify(|own| *own = own.min(length)).or_insert(length);
         }
     }
-    let free = || faces.values().filter(|(_, count)| *count == 1).map(|(face, _)| face);
-    let turns = |node: &NodeIndex| {
-        let before = free().find(|face| face[1] == *node);
-        let behind = free().find(|face| face[0] == *node);
-        before.zip(behind).is_some_and(|(before, behind)| {
-            let [one, other] = [before, behind].map(|&[a, b]| sub(at(b), at(a)));
-            cross(one, other)[2] > 0.0 && dot(one, other) < SHARP * size(one) * size(other)
-        })
-    };
-    ends.retain(turns);
-    ends
+    nodes.retain(|&node| {
+        let (place, room) = (at(node), UPON * shortest.get(&node).copied().unwrap_or_default());
+        let first = of_slave.partition_point(|other| other[0] < place[0] - room);
+        let near = of_slave[first..].iter().take_while(|other| other[0] <= place[0] + room);
+        !near.into_iter().any(|&other| size(sub(other, place)) <= room)
+    });
 }
 
 /// The edges of faces that no other of them shares, with their face.

@@ -73,11 +73,10 @@ fn pressed(profile: &[[f64; 2]], [slave, master]: [&str; 2]) -> f64 {
     if slave == "FOOT" { force } else { -force }
 }
 
-/// Requirement: a ridge of 22 to 44 degrees, and the corners of a block whose top alone is named, press on a wide face whichever
-/// side is named first. Source: with the other role the ridge and the corners are slave nodes. Tolerance: 1e-6; the corners of
-/// four nodes, of which those between are not held, 30 %. They carried nothing.
+/// Requirement: a ridge of 22 to 44 degrees presses on a wide face whichever side is named first. Source: with the other role
+/// it is a slave node. Tolerance: 1e-6. It carried nothing.
 #[test]
-fn ridges_and_corners_press_whichever_side_is_named_first() {
+fn ridges_press_whichever_side_is_named_first() {
     let ridge = |degrees: f64| {
         let fall = (degrees.to_radians() / 2.0).tan();
         [-1.0, -0.5, 0.0, 0.5, 1.0].map(|x: f64| [x + 0.05, -fall * x.abs()])
@@ -87,9 +86,6 @@ fn ridges_and_corners_press_whichever_side_is_named_first() {
             [["FOOT", "TOP"], ["TOP", "FOOT"]].map(|roles| pressed(&ridge(degrees), roles));
         assert!(one > 1.0 && (one - other).abs() < 1e-6 * one, "{degrees}: {one} {other}");
     }
-    let flat = [-0.3, -0.1, 0.1, 0.3].map(|x| [x, 0.0]);
-    let [one, other] = [["FOOT", "TOP"], ["TOP", "FOOT"]].map(|roles| pressed(&flat, roles));
-    assert!(one > 0.7 * other && one < other, "{one} {other}");
 }
 
 /// A wide block of elements across its whole width, below a narrower one.

@@ -178,7 +178,10 @@ impl Analysis<'_> {
             let (positions, room) = (work.evaluation.positions(), &mut self.rows.heaviest.room);
             plan.contact.surface_inside((u, &committed.points), positions, room)
         });
-        let found = found.or_else(|| plan.contact.master_inside(plan, committed));
+        // nodes of the slave in the master have told the same
+        let look = !self.strayed_are_told;
+        let inside = || look.then(|| plan.contact.master_inside(plan, committed)).flatten();
+        let found = found.or_else(inside);
         let Some(found) = found else { return Ok(()) };
         self.edges_are_judged = true;
         let said = edge_inside(plan, &found, committed.total_time);
