@@ -11,6 +11,7 @@ use super::edges::{EdgeInside, EdgePlace, Found, note_nearest};
 use super::master::MasterSurface;
 use super::pairs::Contact;
 use super::solids_of_side::{Behind, SolidsOfSide};
+use crate::dofs::Translations;
 use crate::problem::Problem;
 use crate::state::State;
 use slideline_mech::vector::{scale, size};
@@ -22,9 +23,18 @@ const DEEP: f64 = 0.1;
 impl Contact {
     /// The deepest node of a master in the part of its slave, behind a face that no slave node holds.
     pub fn master_inside(&self, plan: &Problem<'_>, committed: &State) -> Option<EdgeInside> {
+        let mut own =
+            (0..self.own_pairs()).filter(|&pair| self.may_go_through(plan, pair)).peekable();
+        own.peek()?;
         let held = self.held_nodes(&committed.points);
-        let own = (0..self.own_pairs()).filter(|&pair| self.is_at_nodes(pair));
-        own.into_iter().find_map(|pair| self.node_inside(pair, &held, (plan, committed)))
+        own.find_map(|pair| self.node_inside(pair, &held, (plan, committed)))
+    }
+
+    /// Whether a pair is one of solids at the nodes of the slave, and its master a mesh.
+    fn may_go_through(&self, plan: &Problem<'_>, pair: usize) -> bool {
+        let of = &plan.model.contact_pairs[pair];
+        let is_of_solids = of.of_solids || !of.faces.is_empty();
+        is_of_solids && self.is_at_nodes(pair) && is_mesh(&self.masters[pair])
     }
 
     /// Whether the slave of a pair is met at its nodes.
@@ -83,21 +93,27 @@ impl Contact {
         )
     }
 
-    /// Where the nodes of a meshed master stand that does not meet itself.
+    /// Where the nodes of a meshed master stand.
     fn places_of_master(&self, pair: usize, u: &[f64]) -> Vec<EdgePlace> {
         let nodes = match &self.masters[pair] {
-            MasterSurface::Line { nodes, beyond, itself: None, .. } => {
-                &nodes[beyond.own(nodes.len())]
-            }
-            MasterSurface::Faces { mesh, nodes, itself: None, .. } if mesh.swept().is_none() => {
-                &nodes[..]
-            }
-            _ => return Vec::new(),
+            MasterSurface::Line { nodes, beyond, .. } => &nodes[beyond.own(nodes.len())],
+            MasterSurface::Faces { nodes, .. } => &nodes[..],
+            _ => &[],
         };
-        let place = |(node, (from, dofs)): (usize, &([f64; 3], _))| {
-            let dofs: &crate::dofs::Translations = dofs;
-            EdgePlace { at: dofs.displace(*from, u), node, nearest: None }
+        let place = |(node, (from, dofs)): (usize, &([f64; 3], Translations))| EdgePlace {
+            at: dofs.displace(*from, u),
+            node,
+            nearest: None,
         };
         nodes.iter().enumerate().map(place).collect()
+    }
+}
+
+/// Whether a master is a mesh that does not meet itself.
+fn is_mesh(master: &MasterSurface) -> bool {
+    match master {
+        MasterSurface::Line { itself, .. } => itself.is_none(),
+        MasterSurface::Faces { mesh, itself, .. } => itself.is_none() && mesh.swept().is_none(),
+        _ => false,
     }
 }
