@@ -33,7 +33,6 @@ mod node;
 mod numbered;
 mod numbering;
 mod output;
-mod part_edges;
 mod presence;
 mod refine;
 mod request;

@@ -219,7 +219,7 @@ impl<'a> Held<'a> {
 }
 
 /// The corners of a face: in the plane both ends, in space those that stand first.
-pub(crate) fn corners_of(dimension: usize, face: &[usize]) -> impl Iterator<Item = &usize> {
+fn corners_of(dimension: usize, face: &[usize]) -> impl Iterator<Item = &usize> {
     let [count, every] = match (dimension, face.len()) {
         (3, 6) => [3, 1],
         (3, 8) => [4, 1],
@@ -233,7 +233,7 @@ pub(crate) fn corners_of(dimension: usize, face: &[usize]) -> impl Iterator<Item
 const AXIS: Vector = [1.0, 0.0, 0.0];
 
 /// The elements that bodies are made of, but those that are there in no step.
-pub(crate) fn parts(model: &Model) -> impl Iterator<Item = (&ElementBlock, Element<'_>)> {
+fn parts(model: &Model) -> impl Iterator<Item = (&ElementBlock, Element<'_>)> {
     let is_there = |index: ElementIndex| {
         model.steps.is_empty() || model.steps.iter().any(|step| step.presence.has(index))
     };

@@ -24,10 +24,11 @@ const ROUND: f64 = 0.4;
 const ALONG: f64 = 0.8;
 
 /// Whether an edge that turns by so much [rad] between lines that turn by those is one that stands alone: it is no part of a
-/// round, nor sharp by itself.
-pub fn is_lone(turn: f64, mut beside: impl Iterator<Item = f64>) -> bool {
+/// round, nor sharp by itself. `None`: the surface ends there, and the image beyond a plane of symmetry may turn on.
+pub fn is_lone(turn: f64, mut beside: impl Iterator<Item = Option<f64>>) -> bool {
     let may_be = |turn: f64| turn <= SHARP.acos();
-    may_be(turn) && turn > LEAST && !beside.any(|other| other > ROUND * turn && may_be(other))
+    let is_next = |other: f64| other > ROUND * turn && may_be(other);
+    may_be(turn) && turn > LEAST && !beside.any(|other| other.is_none_or(is_next))
 }
 
 /// Lone edges between faces that stand out, by their corner nodes; `position` gives undeformed positions of nodes [L].
@@ -37,7 +38,8 @@ pub fn lone_edges(faces: &[MeshFace], position: impl Fn(usize) -> Vector) -> Vec
     let all = (0..faces.len()).flat_map(|face| (0..count(face)).map(move |k| (face, k)));
     let lone = all.filter(|&(face, k)| {
         let first = turning.neighbours[face][k].is_some_and(|other| face < other);
-        first && is_lone(turning.turn(face, k), turning.beside(face, k))
+        let turn = turning.turn(face, k).filter(|_| first);
+        turn.is_some_and(|turn| is_lone(turn, turning.beside(face, k)))
     });
     lone.map(|(face, k)| edge(&faces[face], k)).collect()
 }
@@ -58,9 +60,9 @@ impl<'a, F: Fn(usize) -> Vector> Turning<'a, F> {
         Self { faces, position, normals, neighbours, around }
     }
 
-    /// The turn at an edge of a face, positive where the edge stands out, zero at an end of the surface [rad].
-    fn turn(&self, face: usize, k: usize) -> f64 {
-        let Some(other) = self.neighbours[face][k] else { return 0.0 };
+    /// The turn at an edge of a face, positive where the edge stands out [rad]; `None` at an end of the surface.
+    fn turn(&self, face: usize, k: usize) -> Option<f64> {
+        let other = self.neighbours[face][k]?;
         let angle = dot(self.normals[face], self.normals[other]).clamp(-1.0, 1.0).acos();
         let corner = edge(&self.faces[face], k)[0];
         let off = |&node: &usize| {
@@ -68,11 +70,11 @@ impl<'a, F: Fn(usize) -> Vector> Turning<'a, F> {
         };
         let corners = &self.faces[other].nodes[..self.faces[other].cell.faces.len()];
         let behind: f64 = corners.iter().map(off).sum();
-        if behind < 0.0 { angle } else { -angle }
+        Some(if behind < 0.0 { angle } else { -angle })
     }
 
     /// Turns at the edges about both faces of an edge that go along it on the lines beside it [rad].
-    fn beside(&self, face: usize, k: usize) -> impl Iterator<Item = f64> {
+    fn beside(&self, face: usize, k: usize) -> impl Iterator<Item = Option<f64>> {
         let own = edge(&self.faces[face], k);
         let both = [Some(face), self.neighbours[face][k]].into_iter().flatten();
         let corners = |face: usize| {
@@ -137,8 +139,9 @@ mod tests {
     fn chamfers_are_lone_and_rounds_are_not() {
         for halved in [false, true] {
             assert_eq!(swept(&[0.0, 30.0, 0.0], halved), 2);
-            assert_eq!(swept(&[30.0, 60.0], halved), 2);
-            assert_eq!(swept(&[40.0, 0.0, 40.0], halved), 4);
+            assert_eq!(swept(&[0.0, 30.0, 60.0, 0.0], halved), 2);
+            assert_eq!(swept(&[0.0, 40.0, 0.0, 40.0, 0.0], halved), 4);
+            assert_eq!(swept(&[30.0], halved), 0);
             for turn in [22.5, 30.0, 36.0] {
                 assert_eq!(swept(&[turn; 5], halved), 0, "{turn}");
                 assert_eq!(swept(&[turn / 2.0, turn, turn, turn / 2.0], halved), 0, "{turn}");

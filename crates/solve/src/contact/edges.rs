@@ -84,13 +84,13 @@ impl Contact {
 
     fn edge_of(&self, pair: usize, u: &[f64]) -> Option<EdgeInside> {
         let mut edges = self.edge_places(pair, u);
-        edges.sort_by(|a, b| a.at[0].total_cmp(&b.at[0]));
+        let axis = in_order(&mut edges);
         let own = self.points.iter().filter(|point| point.pair == pair && point.is_node());
         let mut faces: Vec<usize> = own.flat_map(|point| &point.faces).copied().collect();
         faces.sort_unstable();
         faces.dedup();
         for face in faces {
-            note_nearest(face, &self.slave_faces[face], u, &mut edges);
+            note_nearest((face, &self.slave_faces[face]), u, (&mut edges, axis));
         }
         let inside = edges.iter().filter_map(|place| {
             let near = place.nearest.filter(|near| near.depth >= DEEP)?;
@@ -142,8 +142,26 @@ impl Contact {
     }
 }
 
-/// Notes a face at the places, in the order of their first coordinate, that it is nearest to.
-pub(super) fn note_nearest(number: usize, face: &SlaveFace, u: &[f64], edges: &mut [EdgePlace]) {
+/// Sorts places along the axis along which they stand farthest apart, which is returned.
+pub(super) fn in_order(places: &mut [EdgePlace]) -> usize {
+    let apart = |axis: usize| {
+        let along = || places.iter().map(|place| place.at[axis]);
+        along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
+    };
+    let axis = (0..3).max_by(|&a, &b| apart(a).total_cmp(&apart(b))).unwrap_or(0);
+    places.sort_unstable_by(|a, b| {
+        let along = a.at[axis].total_cmp(&b.at[axis]);
+        along.then(a.node.cmp(&b.node))
+    });
+    axis
+}
+
+/// Notes a face at the places, in order along an axis, that it is nearest to.
+pub(super) fn note_nearest(
+    (number, face): (usize, &SlaveFace),
+    u: &[f64],
+    (edges, along): (&mut [EdgePlace], usize),
+) {
     let x: Vec<[f64; 3]> =
         face.corners.iter().map(|(_, from, dofs)| dofs.displace(*from, u)).collect();
     let (normal, long) = face.stands(u);
@@ -154,9 +172,10 @@ pub(super) fn note_nearest(number: usize, face: &SlaveFace, u: &[f64], edges: &m
         let low = of.clone().fold(f64::INFINITY, f64::min) - long;
         [low, of.fold(f64::NEG_INFINITY, f64::max) + long]
     });
-    let begin = edges.partition_point(|place| place.at[0] < reach[0][0]);
-    for place in edges[begin..].iter_mut().take_while(|place| place.at[0] <= reach[0][1]) {
-        if (1..3).any(|axis| !(reach[axis][0]..=reach[axis][1]).contains(&place.at[axis])) {
+    let begin = edges.partition_point(|place| place.at[along] < reach[along][0]);
+    let near = edges[begin..].iter_mut();
+    for place in near.take_while(|place| place.at[along] <= reach[along][1]) {
+        if (0..3).any(|axis| !(reach[axis][0]..=reach[axis][1]).contains(&place.at[axis])) {
             continue;
         }
         let near = kind.nearest(&x, place.at);

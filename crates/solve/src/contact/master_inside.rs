@@ -7,7 +7,7 @@
 //!           |     |  master
 //! ```
 
-use super::edges::{EdgeInside, EdgePlace, Found, note_nearest};
+use super::edges::{EdgeInside, EdgePlace, Found, in_order, note_nearest};
 use super::master::MasterSurface;
 use super::pairs::Contact;
 use super::solids_of_side::{Behind, SolidsOfSide};
@@ -57,13 +57,13 @@ impl Contact {
         if places.is_empty() {
             return None;
         }
-        places.sort_by(|a, b| a.at[0].total_cmp(&b.at[0]));
+        let axis = in_order(&mut places);
         let points = || self.points.iter().filter(|point| point.pair == pair);
         let mut faces: Vec<usize> = points().flat_map(|point| &point.faces).copied().collect();
         faces.sort_unstable();
         faces.dedup();
         for &face in &faces {
-            note_nearest(face, &self.slave_faces[face], u, &mut places);
+            note_nearest((face, &self.slave_faces[face]), u, (&mut places, axis));
         }
         let corners = |face: usize| self.slave_faces[face].corners.iter().map(|(node, ..)| *node);
         let mut found: Vec<(Behind, usize, usize)> = places

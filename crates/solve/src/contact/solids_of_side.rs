@@ -11,7 +11,7 @@ use crate::problem::Problem;
 use crate::state::State;
 use slideline_mech::contact::search::tree::{Bounds, BoxTree};
 use slideline_mech::element::cell::{Cell, within};
-use slideline_mech::vector::{Vector, add, dot};
+use slideline_mech::vector::{Vector, add, cross, dot, scale, size, sub};
 use slideline_model::{Element, Kinematics, NodeIndex};
 use std::cmp::Ordering;
 
@@ -76,6 +76,34 @@ impl<'a> SolidsOfSide<'a> {
         Some(new)
     }
 
+    /// Whether places so far beside one, across a direction, are inside as well: one upon a side of the part is not.
+    fn surrounds(&self, at: Vector, normal: Vector, way: f64) -> bool {
+        let in_space = self.solids.first().is_some_and(|(cell, _)| cell.dimension == 3);
+        let least =
+            (0..3).min_by(|&a, &b| normal[a].abs().total_cmp(&normal[b].abs())).unwrap_or(0);
+        let mut axis = [0.0; 3];
+        axis[if in_space { least } else { 2 }] = 1.0;
+        let first = cross(normal, axis);
+        let first = scale(first, 1.0 / size(first));
+        let second = in_space.then(|| cross(normal, first));
+        let ways = [Some(first), second].into_iter().flatten();
+        let mut beside = ways.flat_map(|own| [way, -way].map(|way| add(at, scale(own, way))));
+        beside.all(|at| self.contains(at))
+    }
+
+    /// Whether a place is inside an element.
+    fn contains(&self, at: Vector) -> bool {
+        let mut found = false;
+        self.tree.overlapping((at, at), |solid| {
+            let (cell, element) = &self.solids[solid];
+            let places: Vec<Vector> = element.nodes.iter().map(|&node| self.place(node)).collect();
+            let long = places.iter().map(|&place| size(sub(place, places[0]))).fold(0.0, f64::max);
+            let own = within(cell, &places, at);
+            found = found || own.is_some_and(|inside| inside.distance <= UPON * long);
+        });
+        found
+    }
+
     /// Where a node stands [L].
     fn place(&self, node: NodeIndex) -> Vector {
         let moved = self.plan.dofs.translation(&self.committed.displacement, node);
@@ -104,7 +132,8 @@ impl<'a> SolidsOfSide<'a> {
             let size = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(reach);
             let near = UPON * size.into_iter().fold(0.0, f64::max);
             let inside = within(cell, &places, at).is_some_and(|inside| inside.distance <= near);
-            if inside && depth > DEEP * reach(normal) {
+            let height = reach(normal);
+            if inside && depth > DEEP * height && self.surrounds(at, normal, DEEP * height) {
                 found = Some(element.label);
             }
         });
