@@ -83,14 +83,15 @@ impl Contact {
         found.sort_by(|a, b| a.0.deeper_first(&b.0));
         let of_slave: Vec<NodeIndex> = points().map(|point| point.node).collect();
         let part = SolidsOfSide::new(plan, committed, &of_slave)?;
-        found.into_iter().find(|(behind, ..)| part.holds(behind).is_some()).map(
-            |(behind, face, node)| EdgeInside {
+        let is_inside = |behind: &Behind| part.holds(behind).is_some() && part.surrounds(behind);
+        found.into_iter().find(|(behind, ..)| is_inside(behind)).map(|(behind, face, node)| {
+            EdgeInside {
                 pair,
                 what: Found::Node(node),
                 face: corners(face).collect(),
                 depth: behind.depth,
-            },
-        )
+            }
+        })
     }
 
     /// Where the nodes of a meshed master stand.

@@ -76,8 +76,11 @@ impl<'a> SolidsOfSide<'a> {
         Some(new)
     }
 
-    /// Whether places so far beside one, across a direction, are inside as well: one upon a side of the part is not.
-    fn surrounds(&self, at: Vector, normal: Vector, way: f64) -> bool {
+    /// Whether places beside a node, by a tenth of its depth, are inside as well: those of one upon a side of the part are
+    /// not.
+    pub(super) fn surrounds(&self, behind: &Behind) -> bool {
+        let &Behind { node, depth, normal } = behind;
+        let (at, way) = (self.place(node), DEEP * depth);
         let in_space = self.solids.first().is_some_and(|(cell, _)| cell.dimension == 3);
         let least =
             (0..3).min_by(|&a, &b| normal[a].abs().total_cmp(&normal[b].abs())).unwrap_or(0);
@@ -132,8 +135,7 @@ impl<'a> SolidsOfSide<'a> {
             let size = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(reach);
             let near = UPON * size.into_iter().fold(0.0, f64::max);
             let inside = within(cell, &places, at).is_some_and(|inside| inside.distance <= near);
-            let height = reach(normal);
-            if inside && depth > DEEP * height && self.surrounds(at, normal, DEEP * height) {
+            if inside && depth > DEEP * reach(normal) {
                 found = Some(element.label);
             }
         });
