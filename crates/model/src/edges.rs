@@ -88,8 +88,20 @@ fn sharp_of_master(pair: &ContactPair, at: impl Fn(NodeIndex) -> [f64; 3]) -> Ve
     }
 }
 
+/// Corners of a slave line of solids in the plane, in the order of its elements: its edges, and the bottoms of sharp valleys.
+pub fn corners_of_line(
+    elements: &[ContactElement],
+    at: impl Fn(NodeIndex) -> [f64; 3],
+) -> Vec<NodeIndex> {
+    let runs = runs(elements);
+    let hollow = runs.iter().flat_map(|run| turns(run, -1.0, &at));
+    let valleys = hollow.filter(|own| own.1 > SHARP.acos()).map(|own| own.0);
+    let found: HashSet<_> = edges_of_line(elements, &at).into_iter().chain(valleys).collect();
+    elements.iter().map(|own| own.nodes[0]).filter(|node| found.contains(node)).collect()
+}
+
 /// Nodes at which a slave line of solids in the plane turns away sharply, or by less but alone.
-pub fn edges_of_line(
+fn edges_of_line(
     elements: &[ContactElement],
     at: impl Fn(NodeIndex) -> [f64; 3],
 ) -> Vec<NodeIndex> {

@@ -52,7 +52,7 @@ pub use crossing_edges::{CrossingEdges, EdgeLine, SharpEdge};
 pub use dialect::Dialect;
 pub use driven::Driven;
 pub use edge_pair::EdgePair;
-pub use edges::{edges_of_line, nodes_at_creases};
+pub use edges::{corners_of_line, nodes_at_creases};
 pub use element::block::{Allowable, Beams, Element, ElementBlock, Elements, Limit, Springs};
 pub use element::element_type::{
     ElementType, Field, Kinematics, Location, Undeformed, mean_at_nodes,

@@ -9,8 +9,7 @@
 use std::collections::HashMap;
 
 use slideline_diag::{Code, Diagnostic};
-use slideline_mech::surface::mesh::SHARP;
-use slideline_model::{ContactElement, ContactFace, Master, MasterFaces, NodeIndex, edges_of_line};
+use slideline_model::{ContactFace, Master, MasterFaces, NodeIndex};
 
 use super::chain::Facet;
 use super::master_chain::slide_line;
@@ -137,24 +136,4 @@ fn sound(facets: &[Facet], pairing: &Pairing, draft: &mut Draft) -> Option<()> {
         }
     }
     Some(())
-}
-
-/// Slave nodes at which the surface turns sharply to either side, or away by less but alone.
-pub(super) fn corners(elements: &[ContactElement], draft: &Draft) -> Vec<NodeIndex> {
-    let direction = |element: &ContactElement| {
-        let [a, b] = element.nodes.map(|node| draft.model.nodes.position(node));
-        let (x, y) = (b[0] - a[0], b[1] - a[1]);
-        let size = x.hypot(y);
-        (x / size, y / size)
-    };
-    let ending: HashMap<_, _> =
-        elements.iter().map(|element| (element.nodes[1], direction(element))).collect();
-    let turns = |element: &&ContactElement| {
-        let (x, y) = direction(element);
-        ending.get(&element.nodes[0]).is_some_and(|(u, v)| u * x + v * y < SHARP)
-    };
-    let mut found: Vec<_> = elements.iter().filter(turns).map(|element| element.nodes[0]).collect();
-    let edges = edges_of_line(elements, |node| draft.model.nodes.position(node));
-    found.extend(edges.into_iter().filter(|node| !found.contains(node)).collect::<Vec<_>>());
-    found
 }

@@ -19,7 +19,7 @@ use std::collections::HashSet;
 use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{
     Adjust, ContactPair, Formulation, Interaction, Master, Offset, Section, Vocabulary,
-    nodes_at_creases,
+    corners_of_line, nodes_at_creases,
 };
 
 use super::along_beams::along;
@@ -37,7 +37,7 @@ use super::own_surface::own_surface;
 use super::owners::bodies;
 use super::remarks::remarks;
 use super::sides::{Parts, Sides, Slaves, areas_of_nodes, is_of_solids, refuse};
-use super::spread::{corners, spread};
+use super::spread::spread;
 use super::surfaces::{Found, between_nodes, found, stretches};
 use super::tied_pairs::{is_tied, tie, until_it_changes};
 use crate::draft::Draft;
@@ -211,7 +211,9 @@ fn put_together(
     let is_profile = slaves.profile.is_some();
     remarks((pairing, formulation), (&master, offset, is_profile), &interaction, draft);
     let corners = match formulation {
-        Formulation::Mortar if slaves.faces.is_empty() => corners(&slaves.elements, draft),
+        Formulation::Mortar if slaves.faces.is_empty() => {
+            corners_of_line(&slaves.elements, |node| draft.model.nodes.position(node))
+        }
         Formulation::Mortar => {
             nodes_at_creases(&slaves.faces, |node| draft.model.nodes.position(node))
         }

@@ -11,7 +11,7 @@ use crate::problem::Problem;
 use crate::state::State;
 use slideline_mech::contact::search::tree::{Bounds, BoxTree};
 use slideline_mech::element::cell::{Cell, within};
-use slideline_mech::vector::{Vector, add, cross, dot, scale, size, sub};
+use slideline_mech::vector::{Vector, add, cross, dot, scale, size};
 use slideline_model::{Element, Kinematics, NodeIndex};
 use std::cmp::Ordering;
 
@@ -98,13 +98,14 @@ impl<'a> SolidsOfSide<'a> {
     fn contains(&self, at: Vector) -> bool {
         let mut found = false;
         self.tree.overlapping((at, at), |solid| {
-            let (cell, element) = &self.solids[solid];
-            let places: Vec<Vector> = element.nodes.iter().map(|&node| self.place(node)).collect();
-            let long = places.iter().map(|&place| size(sub(place, places[0]))).fold(0.0, f64::max);
-            let own = within(cell, &places, at);
-            found = found || own.is_some_and(|inside| inside.distance <= UPON * long);
+            found = found || is_within(self.solids[solid].0, &self.places(solid), at);
         });
         found
+    }
+
+    /// Where the nodes of a solid stand [L].
+    fn places(&self, solid: usize) -> Vec<Vector> {
+        self.solids[solid].1.nodes.iter().map(|&node| self.place(node)).collect()
     }
 
     /// Where a node stands [L].
@@ -123,22 +124,26 @@ impl<'a> SolidsOfSide<'a> {
             if found.is_some() || element.nodes.contains(&node) {
                 return;
             }
-            let places: Vec<Vector> = element.nodes.iter().map(|&node| self.place(node)).collect();
-            let reach = |way: Vector| {
-                let along = places.iter().map(|&place| dot(place, way));
-                let (low, high) = along
-                    .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), own| {
-                        (low.min(own), high.max(own))
-                    });
-                high - low
-            };
-            let size = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(reach);
-            let near = UPON * size.into_iter().fold(0.0, f64::max);
-            let inside = within(cell, &places, at).is_some_and(|inside| inside.distance <= near);
-            if inside && depth > DEEP * reach(normal) {
+            let places = self.places(solid);
+            if is_within(cell, &places, at) && depth > DEEP * reach(&places, normal) {
                 found = Some(element.label);
             }
         });
         found
     }
+}
+
+/// Whether a place is inside a cell whose nodes stand at these places, or upon its surface.
+fn is_within(cell: &Cell, places: &[Vector], at: Vector) -> bool {
+    let size = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|way| reach(places, way));
+    let near = UPON * size.into_iter().fold(0.0, f64::max);
+    within(cell, places, at).is_some_and(|inside| inside.distance <= near)
+}
+
+/// How far places reach along a direction [L].
+fn reach(places: &[Vector], way: Vector) -> f64 {
+    let along = places.iter().map(|&place| dot(place, way));
+    let (low, high) = along
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), own| (low.min(own), high.max(own)));
+    high - low
 }

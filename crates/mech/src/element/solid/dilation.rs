@@ -41,8 +41,8 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
             self.deform([element, k], (place, &gradients[k]), large, point)?;
         }
         let straight = self.straight_fields(element);
-        let weights: [f64; P] = std::array::from_fn(|k| places[k].weight);
-        let made = |of: &[f64; P]| fields::values(&fields::parts(&weights, of, straight), straight);
+        let shares = fields::shares(places);
+        let made = |of: &[f64; P]| fields::values(&fields::parts(&shares, of, straight), straight);
         let dilations = made(&std::array::from_fn(|k| points[k].dilation));
         let grown = dilations.map(|m| if large { 1.0 + m } else { 1.0 });
         if let Some(flat) = grown.iter().position(|&grown| grown.is_nan() || grown <= 0.0) {
@@ -55,7 +55,8 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
             point.take(&answer, large);
         }
         let pressures = made(&std::array::from_fn(|k| trace(&points[k].stress) / 3.0 / grown[k]));
-        let mut joints = Joints::new(weights.iter().sum(), 1 + straight.len());
+        let volume = places.iter().map(|place| place.weight).sum();
+        let mut joints = Joints::new(volume, 1 + straight.len());
         for (k, point) in points.iter_mut().enumerate() {
             let mut fields = [1.0; MOST_FIELDS];
             fields[1..].iter_mut().zip(straight).for_each(|(own, field)| *own = field[k]);

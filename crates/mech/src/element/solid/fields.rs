@@ -24,7 +24,7 @@ pub(super) fn straight<const D: usize, const N: usize, const P: usize>(
     tables: &Tables<D, N, P>,
     places: &[Place<D, N>; P],
 ) -> Straight<D, P> {
-    let weights = places.map(|place| place.weight);
+    let shares = shares(places);
     let at = |axis: usize, point: usize| -> f64 {
         let shapes = tables.points[point].shapes.iter();
         shapes.zip(nodes).map(|(shape, node)| shape * (node[axis] - nodes[0][axis])).sum()
@@ -36,45 +36,49 @@ pub(super) fn straight<const D: usize, const N: usize, const P: usize>(
         let Some(own) = rest.first_mut() else { continue };
         // twice: in a slender element the first round leaves what its slenderness magnifies
         for _ in 0..2 {
-            let constant = mean(&weights, own, None);
+            let constant = mean(&shares, own, None);
             own.iter_mut().for_each(|value| *value -= constant);
             for other in &*made {
-                let part = mean(&weights, own, Some(other));
+                let part = mean(&shares, own, Some(other));
                 own.iter_mut().zip(other).for_each(|(value, other)| *value -= part * other);
             }
         }
-        let size = mean(&weights, own, Some(own)).sqrt();
+        let size = mean(&shares, own, Some(own)).sqrt();
         own.iter_mut().for_each(|value| *value /= size);
     }
     fields
 }
 
+/// The parts of the undeformed volume that the points of an element stand for [1].
+#[inline(always)]
+pub(super) fn shares<const D: usize, const N: usize, const P: usize>(
+    places: &[Place<D, N>; P],
+) -> [f64; P] {
+    let volume: f64 = places.iter().map(|place| place.weight).sum();
+    std::array::from_fn(|k| places[k].weight / volume)
+}
+
 /// The mean over the volume of values at the points, times those of a field.
 #[inline(always)]
-pub(super) fn mean<const P: usize>(
-    weights: &[f64; P],
-    values: &[f64; P],
-    field: Option<&[f64; P]>,
-) -> f64 {
-    let volume: f64 = weights.iter().sum();
-    let products = weights.iter().zip(values).map(|(weight, value)| weight * value);
+fn mean<const P: usize>(shares: &[f64; P], values: &[f64; P], field: Option<&[f64; P]>) -> f64 {
+    let products = shares.iter().zip(values).map(|(share, value)| share * value);
     match field {
-        None => products.sum::<f64>() / volume,
-        Some(field) => products.zip(field).map(|(product, f)| product * f).sum::<f64>() / volume,
+        None => products.sum(),
+        Some(field) => products.zip(field).map(|(product, f)| product * f).sum(),
     }
 }
 
 /// How much of each field is in values at the points: the constant one first.
 #[inline(always)]
 pub(super) fn parts<const P: usize>(
-    weights: &[f64; P],
+    shares: &[f64; P],
     values: &[f64; P],
     straight: &[[f64; P]],
 ) -> [f64; MOST_FIELDS] {
     let mut parts = [0.0; MOST_FIELDS];
-    parts[0] = mean(weights, values, None);
+    parts[0] = mean(shares, values, None);
     for (part, field) in parts[1..].iter_mut().zip(straight) {
-        *part = mean(weights, values, Some(field));
+        *part = mean(shares, values, Some(field));
     }
     parts
 }

@@ -63,9 +63,9 @@ impl<const D: usize, const N: usize, const P: usize> Solids<D, N, P> {
         };
         let along = |rows: &[[f64; N]; D]| along(rows, change);
         if let Some(joints) = joints {
-            let weights = points.map(|point| point.weight);
-            let straight = self.straight_fields(element);
-            let parts = fields::parts(&weights, &points.map(|point| pressure(&point)), straight);
+            let shares = fields::shares(&self.places[element]);
+            let pressures = std::array::from_fn(|k| pressure(&points[k]));
+            let parts = fields::parts(&shares, &pressures, self.straight_fields(element));
             for (a, joint) in joints.each().iter().enumerate() {
                 let halves = joints.each().iter().zip(&joint.square);
                 let half: f64 = halves.map(|(other, s)| 0.5 * s * along(&other.left)).sum();
