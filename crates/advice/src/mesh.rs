@@ -3,7 +3,7 @@
 use crate::finding::{Finding, Place};
 use crate::start::{Start, length, less};
 use slideline_diag::{Code, Diagnostic};
-use slideline_model::{ContactPair, Dof, Element, Master, NodeIndex, SlideLine};
+use slideline_model::{ContactPair, Dof, Element, Master, NodeIndex, SlideLine, Vocabulary};
 use std::collections::BTreeMap;
 
 /// Ratio of neighbouring element lengths that spoils both [1].
@@ -15,7 +15,10 @@ pub fn judge(start: &Start<'_>, findings: &mut Vec<Finding>) {
     stout(start, findings);
     findings.extend(uneven(start));
     for pair in &start.model.contact_pairs {
-        if let Master::SlideLine(line) = &pair.master {
+        // faces of solids come in their order, and a tooth may be pointed
+        if let Master::SlideLine(line) = &pair.master
+            && pair.vocabulary != Vocabulary::Faces
+        {
             findings.extend(doubles_back(start, pair, line));
         }
     }

@@ -4,6 +4,7 @@ use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{Dialect, Extrapolation};
 
 use crate::draft::Draft;
+use crate::draft::Elasticity;
 use crate::draft::StepDraft;
 use crate::keyword::{Keyword, Level, Rule, Subject};
 use crate::reading::Reading;
@@ -53,9 +54,7 @@ impl Keyword for Step {
             draft.log.push(error.label(before, "this step is still open"));
         }
         let lines: Vec<&str> = card.data().iter().map(|line| line.text.as_str()).collect();
-        // once on it stays on, in both dialects, until a step says NO
-        let before = draft.steps.last().is_some_and(|step| step.nlgeom);
-        let nlgeom = card.yes("NLGEOM", &mut draft.log).unwrap_or(before);
+        let nlgeom = card.yes("NLGEOM", &mut draft.log).unwrap_or_else(|| is_large(card, draft));
         let perturbation = card.has("PERTURBATION").then(|| card.span_of("PERTURBATION"));
         // what the steps before did does not count
         let alone = perturbation.is_some_and(|span| perturbs(span, nlgeom, draft));
@@ -102,6 +101,30 @@ impl Keyword for Step {
             origin: card.span(),
         });
     }
+}
+
+/// Whether kinematics are nonlinear where a step does not say so: once on they stay on, in both dialects, until a step says NO; in
+/// that of CalculiX some materials turn them on.
+fn is_large(card: &Reading<'_>, draft: &mut Draft) -> bool {
+    if let Some(before) = draft.steps.last() {
+        return before.nlgeom;
+    }
+    let law = draft.materials.iter().find_map(|material| {
+        let card = match &material.elasticity.as_ref()?.0 {
+            Elasticity::Rubber(_) | Elasticity::Tested(_) => "*HYPERELASTIC",
+            Elasticity::Foam(_) => "*HYPERFOAM",
+            Elasticity::Deformation(_) => "*DEFORMATION PLASTICITY",
+            _ => return None,
+        };
+        Some((card, material.name.clone()))
+    });
+    let Some((law, material)) = law.filter(|_| draft.dialect == Dialect::Calculix) else {
+        return false;
+    };
+    let message = format!("{law} of material {material} turns NLGEOM on, as in CalculiX");
+    let note = Diagnostic::note(Code("SL0247"), message).at(card.span());
+    draft.log.push(note.help("write *STEP, NLGEOM to say so, or NLGEOM=NO for linear kinematics"));
+    true
 }
 
 /// Whether the step is a linear answer to its own loads, behind others like it in the dialect of Abaqus.

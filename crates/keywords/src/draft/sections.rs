@@ -231,7 +231,7 @@ impl Material {
         };
         let law = self.law(large)?;
         let growth = match (dialect, &self.elasticity.as_ref()?.0) {
-            (Dialect::Calculix, _) => Growth::Green,
+            (Dialect::Calculix, _) => Growth::Length,
             (_, Elasticity::Rubber(_) | Elasticity::Foam(_) | Elasticity::Fibrous(_)) => {
                 Growth::Length
             }

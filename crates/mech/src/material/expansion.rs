@@ -75,8 +75,6 @@ pub fn between<T>(rows: &[(f64, T)], temperature: f64) -> Option<(&T, &T, f64)> 
 pub enum Growth {
     /// exp(e): e is a logarithmic strain.
     Logarithmic,
-    /// sqrt(1 + 2 e): e is one of Green.
-    Green,
     /// 1 + e: e is a change of length.
     Length,
 }
@@ -86,7 +84,6 @@ impl Growth {
     fn log(self, strain: f64) -> f64 {
         match self {
             Self::Logarithmic => strain,
-            Self::Green => 0.5 * (2.0 * strain).ln_1p(),
             Self::Length => strain.ln_1p(),
         }
     }
@@ -191,7 +188,7 @@ mod tests {
         let h = [[0.05, 0.02, -0.01], [0.03, -0.04, 0.01], [0.0, 0.02, 0.06]];
         let back: Matrix = std::array::from_fn(|i| std::array::from_fn(|j| turn[j][i]));
         let turned = tensor::product(&tensor::product(&turn, &h), &back);
-        for growth in [Growth::Logarithmic, Growth::Green, Growth::Length] {
+        for growth in [Growth::Logarithmic, Growth::Length] {
             for large in [false, true] {
                 let expected = tensor::carried(&turn, &stress(along, growth, &h, large));
                 let found = stress(sheared, growth, &turned, large);

@@ -87,8 +87,7 @@ fn heated() -> Vec<(&'static str, Material)> {
         let growth = match &law {
             Material::Elastic(_, LargeStrain::Logarithmic)
             | Material::Anisotropic(_, LargeStrain::Logarithmic) => Growth::Logarithmic,
-            Material::Rubber(_) => Growth::Length,
-            _ => Growth::Green,
+            _ => Growth::Length,
         };
         (name, Material::Expanding(Box::new(Expanding { expansion, growth, law })))
     };

@@ -150,7 +150,10 @@ impl Contacts {
         values: impl Fn() -> Result<([f64; 5], f64), E>,
     ) -> Result<(), E> {
         let own = places.0.entry(row.node).or_default();
-        let known = own.iter().copied().find(|place| self.points[*place].pair == row.pair);
+        // a sharp edge of the slave has a row of its own beside that of its node
+        let is_free = |point: &Point| point.first + point.status.len() <= now;
+        let is_it = |point: &Point| point.pair == row.pair && is_free(point);
+        let known = own.iter().copied().find(|&place| is_it(&self.points[place]));
         let place = match known {
             Some(place) => place,
             None => {
@@ -175,13 +178,13 @@ impl Contacts {
         Ok(())
     }
 
-    /// Whether a pair that comes back later was removed in this increment.
-    pub fn has_left(&self, pair: &str, place: usize) -> bool {
-        self.presence.has_left(pair, place)
+    /// Behind which increment rows are missing, where a pair `has` some in that with this place.
+    pub fn missing_from(&self, has: impl Fn(&str, usize) -> bool) -> Option<usize> {
+        self.presence.missing_from(self.count, has)
     }
 
-    /// A pair that was removed and is back has no rows of the time between: its points were open, and faced
-    /// nothing.
+    /// A pair that was removed and is back has no rows of the time between, and where edges cross the rows are those
+    /// of the nodes nearby: the points were open, and faced nothing.
     fn fill(&mut self, place: usize, now: usize) {
         let point = &self.points[place];
         for absent in point.first + point.status.len()..now {
@@ -350,16 +353,44 @@ mod tests {
         std::fs::write(&path, format!("{head}{rows}")).unwrap();
         let contacts = read(&path, &[1, 2, 3, 4, 5].map(|own| [1, own])).unwrap();
         std::fs::remove_file(&path).unwrap();
-        assert_eq!(
-            [1, 2, 3, 4].map(|own| contacts.has_left("P", own)),
-            [false, true, false, false]
-        );
+        assert_eq!(contacts.missing_from(|_, _| true), None);
         let point = &contacts.points[0];
         assert_eq!(runs(&point.status), "s2o2s1");
         assert_eq!(
             (runs(&point.friction).as_str(), &point.values[1][..]),
             ("n5", &[1., 2., 0., 0., 5.][..])
         );
+    }
+
+    /// What is read from these rows of five increments.
+    fn read_rows(name: &str, rows: &[String]) -> Contacts {
+        let path =
+            std::env::temp_dir().join(format!("slideline_{name}_{}.csv", std::process::id()));
+        let head = "step,increment,time,pair,node,status,COPEN,CPRESS\n";
+        std::fs::write(&path, format!("{head}{}", rows.concat())).unwrap();
+        let contacts = read(&path, &[1, 2, 3, 4, 5].map(|own| [1, own])).unwrap();
+        std::fs::remove_file(&path).unwrap();
+        contacts
+    }
+
+    /// Requirement: a row of a sharp edge beside that of its node is a point of its own, and where edges cross, rows go from
+    /// node to node; a file is cut where a pair has fewer rows than before, or none though it touches.
+    #[test]
+    fn rows_of_edges_go_from_node_to_node() {
+        let row = |own: usize, node: usize| format!("1,{own},0,P,{node},slip,0,{own}\n");
+        let whole = [(1, 7), (2, 7), (2, 7), (3, 7), (3, 8), (4, 7), (4, 9), (5, 7), (5, 9)]
+            .map(|(own, node)| row(own, node));
+        let contacts = read_rows("edges", &whole);
+        let status: Vec<_> =
+            contacts.points.iter().map(|own| (own.node, own.first, runs(&own.status))).collect();
+        let expected = [(7, 0, "s5"), (7, 1, "s1"), (8, 2, "s1"), (9, 3, "s2")];
+        assert_eq!(status, expected.map(|(node, first, runs)| (node, first, runs.to_owned())));
+        assert_eq!(contacts.missing_from(|_, _| true), None);
+        let without_last = read_rows("short", &whole[..8]);
+        assert_eq!(without_last.missing_from(|_, _| true), Some(4));
+        let without_increment = read_rows("shorter", &whole[..7]);
+        assert_eq!(without_increment.missing_from(|_, _| true), Some(4));
+        assert_eq!(without_increment.missing_from(|_, _| false), None);
     }
 
     /// Requirement: numbers are thinned where there are many, evenly, the last

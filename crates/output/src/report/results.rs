@@ -66,16 +66,9 @@ impl Results {
         history.shorten(count);
         let closed = closed_until(job, &energies.numbers, lenient)?;
         let contacts = contact::read(&job.path(".contact.csv"), &energies.numbers)?;
-        // a pair that is removed has no rows any more, and when it is back those alone that touch
-        let whole = |point: &&contact::Point| {
-            let end = point.first + point.status.len();
-            end == count
-                || closed.get(&point.pair).is_some_and(|&closed| closed <= end)
-                || contacts.has_left(&point.pair, end)
-        };
-        let incomplete = contacts.points.iter().find(|point| !whole(point) && !lenient);
-        if let Some(point) = incomplete {
-            let length = point.first + point.status.len();
+        // a pair that is removed has no rows any more
+        let is_closed = |pair: &str, end: usize| closed.get(pair).is_none_or(|&last| last > end);
+        if let Some(length) = contacts.missing_from(is_closed).filter(|_| !lenient) {
             return Err(length_fault(job, ".contact.csv", length, count));
         }
         // earlier layouts have no number of states: one for each increment

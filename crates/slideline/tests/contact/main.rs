@@ -33,6 +33,7 @@ mod mortar_verification;
 mod narrow_masters;
 mod no_separation;
 mod noise;
+mod own_parts;
 mod pairs_that_leave;
 mod pressed_on_planes;
 mod profiles;

@@ -10,7 +10,7 @@ use crate::state::PointState;
 use slideline_mech::contact::gap::offset::Offset;
 use slideline_mech::contact::search::pass::cross_faces;
 use slideline_mech::contact::search::sweep::{cross_chain, cross_parts};
-use slideline_mech::vector::{dot, size};
+use slideline_mech::vector::{add, dot, scale, size};
 use slideline_model::Presence;
 
 /// Parts of a segment whose ends are held against another body.
@@ -18,6 +18,9 @@ const OUTLINE: usize = 64;
 
 /// Cosine of the angle between normals from which on a face looks past another one [1]: of half a right angle.
 const ASIDE: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
+/// Part of the size of its faces that a node may stand deep in a master before it is asked which way it came [1]. (choice)
+const SMALL: f64 = 0.25;
 
 /// Whether a slave node that faced nothing before lies behind what it faces now.
 fn stands_behind(
@@ -41,6 +44,8 @@ impl Contact {
     ///     x           |    |      > faced      deeper behind it than both parts are thick: x looks away
     ///     +-----------+    +------+            from the master, through its own part
     /// ```
+    ///
+    /// So is one whose way to its place enters the part by another face first ([`Contact::sees_through_a_part`]).
     fn is_beyond(
         &self,
         point: &SlavePoint,
@@ -66,6 +71,29 @@ impl Contact {
             }
         };
         depth > master.thickness && point.faces.iter().all(looks_past)
+            || self.sees_through_a_part((point, depth), (now, u))
+    }
+
+    /// Whether the way of a node to its place on the master, so deep [L], enters the master's part first: it stands outside, and sees
+    /// a face from behind.
+    ///
+    /// ```text
+    ///     ________________
+    ///     faced \   ____ |     beyond the end of a surface, or beside a pointed tooth, the
+    ///            \ /    x      nearest face before which the node stands is not its own side's
+    ///             v
+    /// ```
+    fn sees_through_a_part(
+        &self,
+        (point, depth): (&SlavePoint, f64),
+        (now, u): (&PointKinematics, &[f64]),
+    ) -> bool {
+        let sizes = point.faces.iter().map(|&face| self.slave_faces[face].stands(u).1);
+        if depth <= SMALL * sizes.fold(f64::INFINITY, f64::min) {
+            return false;
+        }
+        let place = add(now.position, scale(now.normal, now.overclosure + now.allowed));
+        self.enters(point, (now.position, place), (u, u))
     }
 
     /// What is behind what a point faces of a master, the thicker part.

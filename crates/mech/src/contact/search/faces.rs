@@ -289,7 +289,7 @@ pub(super) fn nearest_of(
 
 /// Square of the distance of a point from a triangle [L2], with the shares of its corners in the
 /// nearest place.
-fn nearest_of_triangle([a, b, c]: [Vector; 3], point: Vector) -> (f64, [f64; 3]) {
+pub(super) fn nearest_of_triangle([a, b, c]: [Vector; 3], point: Vector) -> (f64, [f64; 3]) {
     let (ab, ac, ap) = (sub(b, a), sub(c, a), sub(point, a));
     let (d, e, f) = (dot(ab, ab), dot(ab, ac), dot(ac, ac));
     let (p, q) = (dot(ab, ap), dot(ac, ap));

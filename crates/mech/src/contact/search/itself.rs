@@ -288,7 +288,11 @@ impl Itself {
         if !self.beside(seat).any(faces) {
             return false;
         }
-        let height = cross(tangent, sub(point, foot));
+        let (height, way) = (cross(tangent, sub(point, foot)), sub(foot, point));
+        // in line with the piece and beyond its end it is neither before it nor behind
+        if height < 0.0 && -height <= LOOKS * size(way) * size(tangent) {
+            return false;
+        }
         let stands_free = |segment: usize, height: f64, depth: f64| {
             height >= 0.0 || self.has_sunk_in(seat, (segment, depth))
         };
@@ -319,14 +323,31 @@ impl Itself {
         Some(self.seats[self.numbers[other]])
     }
 
-    /// Whether the node at a seat that is so deep behind a segment [L] has sunk in there: not from inside their own part;
-    /// where the way there led through that at the start, as from the side of a strip to its end, no deeper than
-    /// either side is thick.
+    /// Whether the node at a seat that is so deep behind a segment [L] has sunk in there: not where it stood as near behind it
+    /// before anything moved, nor from inside their own part; where the way there led through that at the start, as
+    /// from the side of a strip to its end, no deeper than either side is thick.
     fn has_sunk_in(&self, seat: usize, (part, depth): (usize, f64)) -> bool {
-        depth <= SUNK * self.thickness[part]
-            && !self.is_inside(seat, part)
-            && (depth <= SUNK * self.thickness_towards(seat, part)
-                || !self.leads_through(seat, part))
+        let most = SUNK * self.thickness[part];
+        if depth > most {
+            return false;
+        }
+        let (a, b) = (self.reference[part], self.reference[part + 1]);
+        let (edge, way) = (sub(b, a), self.way_at_start(seat, part));
+        if cross(edge, way) <= 0.0 {
+            return true;
+        }
+        let own = self.thickness_towards(seat, part);
+        let near = INSIDE_OF * own.min(self.thickness[part]) + size(edge);
+        let is_inside = size(way) <= near && self.leads_in(seat, way);
+        size(way) > most && !is_inside && (depth <= SUNK * own || !self.leads_through(seat, part))
+    }
+
+    /// The way from the undeformed node at a seat to what of a segment is nearest [L].
+    fn way_at_start(&self, seat: usize, part: usize) -> Point {
+        let (from, a, b) = (self.reference[seat], self.reference[part], self.reference[part + 1]);
+        let edge = sub(b, a);
+        let at = (dot(sub(from, a), edge) / dot(edge, edge)).clamp(0.0, 1.0);
+        sub([a[0] + at * edge[0], a[1] + at * edge[1]], from)
     }
 
     /// Whether the way from the node at a seat to the middle of a segment of the same line led into the part at the
@@ -352,18 +373,6 @@ impl Itself {
         };
         let looking = &mut self.beside(seat).filter(|&side| dot(along(side), towards) < -LOOKS);
         least(looking).or_else(|| least(&mut self.beside(seat))).unwrap_or(f64::INFINITY)
-    }
-
-    /// Whether the node at a seat and a segment were back to back at the start, with their own part
-    /// between them.
-    fn is_inside(&self, seat: usize, part: usize) -> bool {
-        let own = self.thickness_towards(seat, part);
-        let (from, a, b) = (self.reference[seat], self.reference[part], self.reference[part + 1]);
-        let edge = sub(b, a);
-        let at = (dot(sub(from, a), edge) / dot(edge, edge)).clamp(0.0, 1.0);
-        let way = sub([a[0] + at * edge[0], a[1] + at * edge[1]], from);
-        let near = size(way) <= INSIDE_OF * own.min(self.thickness[part]) + size(edge);
-        near && self.leads_in(seat, way) && cross(edge, way) > 0.0
     }
 
     /// Whether a way from the undeformed node at a seat leads into the part: behind a valley is what is behind

@@ -12,12 +12,14 @@
 //! The rules are those of a surface in the plane ([`super::itself`]); a node looks no farther than a
 //! few faces about it. docs/theory.md section 5.12. (derived)
 
+mod inward;
 mod ranks;
 
 use super::faces::{self, FacePlace, FaceTree, keep, nearest_of, walk};
 use super::itself::{HERE, INSIDE_OF, LOOKS, SUNK};
 use crate::surface::mesh::{FaceMesh, PlacedFace};
 use crate::vector::{Vector, add, cross, dot, scale, size, sub};
+use inward::leads_in;
 use ranks::ranks;
 use std::collections::HashMap;
 
@@ -41,6 +43,8 @@ pub struct OwnFaces {
     reference: Vec<Vector>,
     /// Depth of the part behind every face, undeformed [L]; infinite where nothing ends it.
     thickness: Vec<f64>,
+    /// Of every node the first one of all that faces join it with.
+    joined: Vec<usize>,
 }
 
 /// How the faces of a surface stand, face by face.
@@ -121,7 +125,8 @@ impl OwnFaces {
         let depth = |face: usize| depth_behind((mesh, reference), &tree, (face, sizes[face]));
         let thickness = (0..mesh.faces().len()).map(depth).collect();
         let ranks = ranks((mesh, reference), &at, &fineness);
-        Self { at, near, ranks, reach, reference: reference.to_vec(), thickness }
+        let joined = joined(mesh, reference.len());
+        Self { at, near, ranks, reach, reference: reference.to_vec(), thickness, joined }
     }
 
     /// The same of nodes that stand elsewhere undeformed; nothing is done where they do not.
@@ -229,13 +234,17 @@ impl OwnFaces {
             return f64::INFINITY;
         }
         let depth = dot(normal, sub(standing.middles[face], looking.point));
-        let most = SUNK * self.thickness[face];
-        if depth > 0.0 && (depth > most || self.is_inside(mesh, looking.node, face)) {
+        if depth > 0.0 && !self.has_sunk_in(mesh, looking.node, (face, depth)) {
             return f64::INFINITY;
         }
+        let most = SUNK * self.thickness[face];
         let nearest = nearest_of(mesh, positions, face, looking.point);
         let may = match depth > 0.0 {
-            true => nearest.square <= most * most,
+            // beside the face and in line with it it is neither before it nor behind
+            true => {
+                let towards = dot(normal, nearest.way);
+                nearest.square <= most * most && towards > LOOKS * nearest.square.sqrt()
+            }
             false => looking.reaches(normal, nearest.way),
         };
         if may { nearest.square } else { f64::INFINITY }
@@ -255,18 +264,31 @@ impl OwnFaces {
         own.reduce(f64::min).unwrap_or_else(|| self.thickness_at(node))
     }
 
-    /// Whether a node and a face were back to back at the start, with their own part between them.
-    fn is_inside(&self, mesh: &FaceMesh, node: usize, face: usize) -> bool {
+    /// Whether a node that is so deep behind a face [L] has sunk in there. It has not where their own part was between them at
+    /// the start, and they were back to back or the node is deeper than half of what is behind its own faces, as
+    /// from the foot of a hook to its end; nor where it stood as near behind the face before anything moved, as
+    /// beside another limb.
+    fn has_sunk_in(&self, mesh: &FaceMesh, node: usize, (face, depth): (usize, f64)) -> bool {
+        let most = SUNK * self.thickness[face];
+        if depth > most {
+            return false;
+        }
         let reference = &self.reference[..];
-        let normal = mesh.normal(face, reference);
-        let own = self.thickness_towards((mesh, node), normal);
-        let from = reference[node];
-        let square = nearest_of(mesh, reference, face, from).square;
+        let (from, normal) = (reference[node], mesh.normal(face, reference));
         // to the middle: which side of the part it leads to is asked, not how far
         let way = sub(mesh.middle(face, reference), from);
-        let inward = self.at[node].iter().all(|&own| dot(mesh.normal(own, reference), way) <= 0.0);
+        if dot(normal, way) <= 0.0 {
+            return true;
+        }
+        let distance = nearest_of(mesh, reference, face, from).square.sqrt();
+        if distance <= most || !leads_in((mesh, reference), (node, &self.at[node]), way) {
+            return distance > most;
+        }
+        let own = self.thickness_towards((mesh, node), normal);
         let near = INSIDE_OF * own.min(self.thickness[face]) + mesh.size(face, reference);
-        square.sqrt() <= near && inward && dot(normal, way) > 0.0
+        // a hollow is no part of the outside by its faces, and far enough from it to be met
+        let is_joined = self.joined[node] == self.joined[mesh.faces()[face].nodes[0]];
+        distance > near && (depth <= SUNK * own || !is_joined)
     }
 }
 
@@ -283,6 +305,23 @@ impl Looking {
         length <= SUNK * self.thickness
             || all.any(|own| dot(*own, normal) < -LOOKS && dot(*own, way) > LOOKS * length)
     }
+}
+
+/// Of every node the first one of all that faces join it with.
+fn joined(mesh: &FaceMesh, count: usize) -> Vec<usize> {
+    let mut first: Vec<usize> = (0..count).collect();
+    let mut is_new = true;
+    while is_new {
+        is_new = false;
+        for face in mesh.faces() {
+            let least = face.nodes.iter().map(|&node| first[first[node]]).min().unwrap_or_default();
+            for &node in &face.nodes {
+                is_new |= first[node] != least;
+                first[node] = least;
+            }
+        }
+    }
+    first
 }
 
 /// The faces with which the surface goes on at every node though they have another one in its place, as
