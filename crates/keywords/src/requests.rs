@@ -151,7 +151,10 @@ fn file(card: &Reading<'_>, kind: Kind, draft: &mut Draft) -> (PrintTarget, usiz
         }
         return (target, frequency);
     }
-    let frequency = card.at_least(0, "FREQUENCY", 1, &mut draft.log);
+    // CalculiX has one frequency for all, which *OUTPUT may say
+    let above = draft.step().and_then(|step| step.output).map(|own| own.1);
+    let usual = above.filter(|_| draft.dialect == Dialect::Calculix).unwrap_or(1);
+    let frequency = card.at_least(0, "FREQUENCY", usual, &mut draft.log);
     if kind == Kind::Print {
         return (PrintTarget::Table, frequency);
     }

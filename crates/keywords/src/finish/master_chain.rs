@@ -47,7 +47,9 @@ pub(super) fn slide_line(
         }
     };
     warn_of_crossing(pairing, (&chain, &facets), draft);
-    let mean = mean_distance(&chain, slaves, draft);
+    // faces of solids look outward, and have no label that could be the wrong one
+    let has_label = facets.iter().any(|facet| facet.face.is_none());
+    let mean = mean_distance(&chain, slaves, draft).filter(|_| has_label);
     match chain.travel(&facets) {
         Travel::AsFound => behind(mean, pairing, draft),
         Travel::Reversed => {

@@ -52,7 +52,12 @@ pub(super) const GROUPS: &[Group] = &[
     (
         Ignored,
         "it changes printed or progress output only; JOB.sta and JOB.history.csv grow line by line",
-        &["PREPRINT", "MONITOR", "DIAGNOSTICS", "USER OUTPUT VARIABLES", "TIME POINTS"],
+        &["PREPRINT", "MONITOR", "DIAGNOSTICS", "USER OUTPUT VARIABLES"],
+    ),
+    (
+        Ignored,
+        "results stand at the ends of increments; for some at these times let *STATIC, DIRECT have increments that end there",
+        &["TIME POINTS"],
     ),
     (Ignored, "histories are written as they are computed, unfiltered", &["FILTER"]),
     (

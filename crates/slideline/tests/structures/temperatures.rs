@@ -4,8 +4,8 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
-use crate::heat::{Watch, run};
-use slideline::model::{ElementType, TYPES, types};
+use crate::heat::{Watch, run, run_in};
+use slideline::model::{Dialect, ElementType, TYPES, types};
 use slideline::{Job, Quiet, ReadOptions, RunOptions, Status};
 use std::fmt::Write as _;
 use std::path::Path;
@@ -132,6 +132,24 @@ fn free_expansion_is_free_of_stress() {
                 assert!(error.abs() < 1e-12, "{} {law} {error}", row.name());
             }
         }
+    }
+}
+
+/// Requirement: in the dialect of CalculiX a free body of any law is longer by its thermal strain itself. Source: ccx 2.20, a free cube
+/// heated by 0.01 and 0.2: 1.000000E-02 and 0.2. Tolerance: that of the run.
+#[test]
+fn free_expansion_in_calculix_is_a_change_of_length() {
+    let laws = ["*ELASTIC\n200.0, 0.3", "*HYPERELASTIC, NEO HOOKE\n40.0, 0.01"];
+    let kind = solids().find(|row| row.name() == "C3D8").unwrap();
+    for law in laws {
+        let body = Body { law, expansion: [EXPANSION; 3], nlgeom: "NLGEOM" };
+        let deck = alone(kind, &body, |_| HEAT);
+        let watch = run_in(&deck, Dialect::Calculix);
+        let [a, b] = [1, 2].map(|node| watch.u[&node]);
+        // the first edge is from (4, 0) to (5, 0.1)
+        let length = (1.0 + b[0] - a[0]).hypot(0.1 + b[1] - a[1]).hypot(b[2] - a[2]);
+        let error = length / 1.0_f64.hypot(0.1) - 1.0 - EXPANSION * HEAT;
+        assert!(error.abs() < 1e-12, "{law} {error}");
     }
 }
 

@@ -288,11 +288,7 @@ impl Itself {
         if !self.beside(seat).any(faces) {
             return false;
         }
-        let (height, way) = (cross(tangent, sub(point, foot)), sub(foot, point));
-        // in line with the piece and beyond its end it is neither before it nor behind
-        if height < 0.0 && -height <= LOOKS * size(way) * size(tangent) {
-            return false;
-        }
+        let height = cross(tangent, sub(point, foot));
         let stands_free = |segment: usize, height: f64, depth: f64| {
             height >= 0.0 || self.has_sunk_in(seat, (segment, depth))
         };
@@ -333,13 +329,18 @@ impl Itself {
         }
         let (a, b) = (self.reference[part], self.reference[part + 1]);
         let (edge, way) = (sub(b, a), self.way_at_start(seat, part));
-        if cross(edge, way) <= 0.0 {
+        // in line with the segment and beyond its end, as exactly as a deck gives that, counts as behind
+        let behind = cross(edge, way);
+        if behind > -LOOKS * size(edge) * size(way) && most.is_finite() && size(way) <= most {
+            return false;
+        }
+        if behind <= 0.0 {
             return true;
         }
         let own = self.thickness_towards(seat, part);
         let near = INSIDE_OF * own.min(self.thickness[part]) + size(edge);
         let is_inside = size(way) <= near && self.leads_in(seat, way);
-        size(way) > most && !is_inside && (depth <= SUNK * own || !self.leads_through(seat, part))
+        !is_inside && (depth <= SUNK * own || !self.leads_through(seat, part))
     }
 
     /// The way from the undeformed node at a seat to what of a segment is nearest [L].

@@ -240,11 +240,7 @@ impl OwnFaces {
         let most = SUNK * self.thickness[face];
         let nearest = nearest_of(mesh, positions, face, looking.point);
         let may = match depth > 0.0 {
-            // beside the face and in line with it it is neither before it nor behind
-            true => {
-                let towards = dot(normal, nearest.way);
-                nearest.square <= most * most && towards > LOOKS * nearest.square.sqrt()
-            }
+            true => nearest.square <= most * most,
             false => looking.reaches(normal, nearest.way),
         };
         if may { nearest.square } else { f64::INFINITY }
@@ -275,14 +271,17 @@ impl OwnFaces {
         }
         let reference = &self.reference[..];
         let (from, normal) = (reference[node], mesh.normal(face, reference));
+        let nearest = nearest_of(mesh, reference, face, from);
+        let distance = nearest.square.sqrt();
+        // beside the face and in line with it, as exactly as a deck gives that, counts as behind
+        let was_behind = dot(normal, nearest.way) > -LOOKS * distance;
+        if was_behind && most.is_finite() && distance <= most {
+            return false;
+        }
         // to the middle: which side of the part it leads to is asked, not how far
         let way = sub(mesh.middle(face, reference), from);
-        if dot(normal, way) <= 0.0 {
+        if dot(normal, way) <= 0.0 || !leads_in((mesh, reference), (node, &self.at[node]), way) {
             return true;
-        }
-        let distance = nearest_of(mesh, reference, face, from).square.sqrt();
-        if distance <= most || !leads_in((mesh, reference), (node, &self.at[node]), way) {
-            return distance > most;
         }
         let own = self.thickness_towards((mesh, node), normal);
         let near = INSIDE_OF * own.min(self.thickness[face]) + mesh.size(face, reference);

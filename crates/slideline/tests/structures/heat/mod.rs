@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
-use slideline::model::Dof;
+use slideline::model::{Dialect, Dof};
 use slideline::observe::{Ending, Energies, Event, Observer, Stop};
 use slideline::{Job, ReadOptions, SolveOptions, solve};
 use std::collections::HashMap;
@@ -42,7 +42,12 @@ impl Observer for Watch {
 }
 
 pub fn run(text: &str) -> Watch {
-    let read = Job::read_text("deck", text, &ReadOptions::default());
+    run_in(text, Dialect::Abaqus)
+}
+
+pub fn run_in(text: &str, dialect: Dialect) -> Watch {
+    let options = ReadOptions { dialect: Some(dialect), ..ReadOptions::default() };
+    let read = Job::read_text("deck", text, &options);
     let Some(mut model) = read.model else { panic!("{:?}\n{text}", read.diagnostics) };
     for step in &mut model.steps {
         step.controls.field.r_n = 1e-11;

@@ -8,8 +8,7 @@
 //! ```
 //!
 //! The normal at an edge is the mean of both faces', at the node itself the mean by the angles of the faces there: the sign is right
-//! for every fan that closes. J. A. Baerentzen, H. Aanaes, Signed distance computation using the angle weighted
-//! pseudonormal, IEEE Transactions on Visualization and Computer Graphics 11 (2005) 243-253.
+//! for every fan that closes. docs/theory.md section 5.12, [baerentzen2005]
 
 use super::super::faces::nearest_of_triangle;
 use crate::surface::mesh::{FaceMesh, MeshFace};
