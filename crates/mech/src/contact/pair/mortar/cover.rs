@@ -36,10 +36,11 @@ pub struct Cover {
     spans: Vec<Span>,
 }
 
-/// How far a segment is away in its middle, and where it is nearest [L].
+/// How far a segment is away in its middle, at its bounds, and where it is nearest [L].
 #[derive(Debug, Clone, Copy)]
 struct SegmentGap {
     middle: f64,
+    bounds: [f64; 2],
     nearest: f64,
 }
 
@@ -156,8 +157,9 @@ impl Cover {
             let found = at(0.5 * (bounds[0] + bounds[1]));
             let (middle, opposite) = found.unwrap_or((0.0, FACING));
             segment.counts *= fading((WHOLE - opposite) / (WHOLE - FACING));
-            let nearest = bounds.into_iter().map(gap).fold(middle, f64::min);
-            self.gaps.push(SegmentGap { middle, nearest });
+            let bounds = bounds.map(gap);
+            let nearest = bounds.into_iter().fold(middle, f64::min);
+            self.gaps.push(SegmentGap { middle, bounds, nearest });
         }
     }
 
@@ -185,7 +187,7 @@ impl Cover {
         let length = dot(chord, chord).sqrt();
         let is_corner = [face.places.before.is_none(), face.places.after.is_none()];
         for end in (0..2).filter(|&end| is_corner[end]) {
-            let (count, covered) = self.run_from(end);
+            let (count, covered) = self.run_from(end, length);
             let all = self.segments.len();
             let run = if end == 0 { 0..count } else { all - count..all };
             let depth =
@@ -203,16 +205,24 @@ impl Cover {
         }
     }
 
-    /// How many segments lie side by side from an end of the face on, and how much they cover [1].
-    fn run_from(&self, end: usize) -> (usize, f64) {
+    /// How many segments lie side by side from an end of the face of this length [L] on, and how much they cover [1]; up to a
+    /// step in the master that is higher than that is wide: beyond it something else is faced.
+    fn run_from(&self, end: usize, length: f64) -> (usize, f64) {
         let (mut count, mut edge) = (0, end as f64);
         let all = self.segments.len();
         let at = |count: usize| if end == 0 { count } else { all - 1 - count };
+        let covered = |edge: f64| (edge - end as f64).abs();
         while count < all && (self.segments[at(count)].bounds[end].at() - edge).abs() <= SAME {
+            if let Some(before) = count.checked_sub(1).map(|before| &self.gaps[at(before)]) {
+                let step = self.gaps[at(count)].bounds[end] - before.bounds[1 - end];
+                if step.abs() > covered(edge) * length {
+                    break;
+                }
+            }
             edge = self.segments[at(count)].bounds[1 - end].at();
             count += 1;
         }
-        (count, (edge - end as f64).abs())
+        (count, covered(edge))
     }
 
     /// Marks the bounds that are next to an end of the slave surface, with nothing between.

@@ -420,6 +420,27 @@ fn only_what_faces_the_slave_counts() {
     assert_eq!(step[0].bounds[0], Bound::End(0));
 }
 
+/// Requirement: where a corner of the slave has sunk by rounding into one limb of a stepped master, and its side faces the other
+/// limb, the far side of the first is left out, however narrow what sees it, at both ends of the face.
+#[test]
+fn the_far_side_of_a_limb_is_left_out_beside_another() {
+    let controls = [[1.0, 0.0, 0.0], [0.0, 0.0, 0.0]];
+    let reference = Reference::new(&controls, Across::Width(1.0));
+    let places = FacePlaces::new(None, &controls, None);
+    let line = |from: f64, to: f64, y: f64| Curve::new(&[[from, y, 0.0], [to, y, 0.0]], 1.0);
+    for sunk in [1e-10, 1e-3, 0.2] {
+        for [far, near] in [
+            [line(sunk, -2.0, -3.7), line(2.0, sunk, 0.3)],
+            [line(3.0, 1.0 - sunk, -3.7), line(1.0 - sunk, -2.0, 0.3)],
+        ] {
+            let face = MortarFace { reference: &reference, places: &places, curves: &[far, near] };
+            let mut cover = Cover::default();
+            let found = cover.find(&face);
+            assert!(found.len() == 1 && found[0].curve == 1 && found[0].counts == 1.0, "{sunk}");
+        }
+    }
+}
+
 /// Requirement: a round face meets nothing behind the place where its normals cross: a surface there,
 /// wider than all its normals, has not been entered through the face.
 #[test]
