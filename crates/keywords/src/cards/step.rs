@@ -118,12 +118,13 @@ fn is_large(card: &Reading<'_>, draft: &mut Draft) -> bool {
         };
         Some((card, material.name.clone()))
     });
-    let Some((law, material)) = law.filter(|_| draft.dialect == Dialect::Calculix) else {
+    let may = draft.dialect == Dialect::Calculix && !card.has("PERTURBATION");
+    let Some((law, material)) = law.filter(|_| may) else {
         return false;
     };
     let message = format!("{law} of material {material} turns NLGEOM on, as in CalculiX");
     let note = Diagnostic::note(Code("SL0247"), message).at(card.span());
-    draft.log.push(note.help("write *STEP, NLGEOM to say so, or NLGEOM=NO for linear kinematics"));
+    draft.log.push(note.help("write *STEP, NLGEOM to say so"));
     true
 }
 

@@ -178,6 +178,11 @@ impl Contacts {
         Ok(())
     }
 
+    /// Whether a pair has rows.
+    pub fn has_rows(&self, pair: &str) -> bool {
+        self.presence.has(pair)
+    }
+
     /// Behind which increment rows are missing, where a pair `has` some in that with this place.
     pub fn missing_from(&self, has: impl Fn(&str, usize) -> bool) -> Option<usize> {
         self.presence.missing_from(self.count, has)

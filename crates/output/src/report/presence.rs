@@ -35,6 +35,11 @@ impl Presence {
         *rows = Rows { last: now, count: 1, before: if is_next { rows.count } else { 0 } };
     }
 
+    /// Whether a pair has rows.
+    pub fn has(&self, pair: &str) -> bool {
+        self.0.contains_key(pair)
+    }
+
     /// Behind which increment rows are missing, of `count` increments: the rows of a pair end where it still `has` some, or
     /// are fewer than before.
     pub fn missing_from(&self, count: usize, has: impl Fn(&str, usize) -> bool) -> Option<usize> {

@@ -68,7 +68,10 @@ impl Results {
         let contacts = contact::read(&job.path(".contact.csv"), &energies.numbers)?;
         // a pair that is removed has no rows any more
         let is_closed = |pair: &str, end: usize| closed.get(pair).is_none_or(|&last| last > end);
-        if let Some(length) = contacts.missing_from(is_closed).filter(|_| !lenient) {
+        let has_none = |(pair, &last): (&String, &usize)| last > 0 && !contacts.has_rows(pair);
+        let without = closed.iter().any(has_none).then_some(0);
+        let missing = without.or_else(|| contacts.missing_from(is_closed));
+        if let Some(length) = missing.filter(|_| !lenient) {
             return Err(length_fault(job, ".contact.csv", length, count));
         }
         // earlier layouts have no number of states: one for each increment

@@ -88,6 +88,10 @@ impl Contact {
         (point, depth): (&SlavePoint, f64),
         (now, u): (&PointKinematics, &[f64]),
     ) -> bool {
+        // faces in space, and lines that meet themselves, are looked at in this way by their search
+        if !matches!(self.masters[point.pair], MasterSurface::Line { itself: None, .. }) {
+            return false;
+        }
         let sizes = point.faces.iter().map(|&face| self.slave_faces[face].stands(u).1);
         if depth <= SMALL * sizes.fold(f64::INFINITY, f64::min) {
             return false;

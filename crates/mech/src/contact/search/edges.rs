@@ -23,17 +23,35 @@ pub struct PlacedEdge {
     pub ends: [Vector; 2],
     /// Unit vectors across it that lead into its faces [1].
     pub into_faces: [Vector; 2],
+    /// How far its faces go that way [L].
+    pub widths: [f64; 2],
 }
 
 impl PlacedEdge {
-    /// An edge between two faces by their normals, of any length: the first face has it counter-clockwise.
-    pub fn new(ends: [Vector; 2], [first, second]: [Vector; 2]) -> Self {
+    /// An edge between two faces by their normals, of any length, and their corners: the first face has it counter-clockwise.
+    pub fn new<C: IntoIterator<Item = Vector>>(
+        ends: [Vector; 2],
+        [first, second]: [Vector; 2],
+        corners: [C; 2],
+    ) -> Self {
         let way = sub(ends[1], ends[0]);
         let unit = |v: Vector| {
             let long = size(v);
             if long > 0.0 { scale(v, 1.0 / long) } else { v }
         };
-        Self { ends, into_faces: [unit(cross(first, way)), unit(cross(way, second))] }
+        let into_faces = [unit(cross(first, way)), unit(cross(way, second))];
+        let mut widths = [0.0_f64; 2];
+        for ((width, into), corners) in widths.iter_mut().zip(into_faces).zip(corners) {
+            let along = corners.into_iter().map(|corner| dot(into, sub(corner, ends[0])));
+            *width = along.fold(0.0, f64::max);
+        }
+        Self { ends, into_faces, widths }
+    }
+
+    /// How far its body goes behind it along a normal, by its two faces at least [L].
+    pub fn reach(&self, normal: Vector) -> f64 {
+        let along = self.into_faces.iter().zip(self.widths);
+        along.map(|(way, width)| width * dot(*way, normal).abs()).fold(0.0, f64::max)
     }
 
     /// Its length [L].
@@ -74,16 +92,20 @@ mod tests {
         let along = [[-1.0, 0.0, 0.1], [1.0, 0.0, 0.1]];
         let across = [[0.0, -1.0, 0.0], [0.0, 1.0, 0.0]];
         // a roof upside down above a roof
-        let slave = PlacedEdge::new(along, [[0.0, -1.0, -1.0], [0.0, 1.0, -1.0]]);
-        let master = PlacedEdge::new(across, [[-1.0, 0.0, 1.0], [1.0, 0.0, 1.0]]);
+        let slave = PlacedEdge::new(along, [[0.0, -1.0, -1.0], [0.0, 1.0, -1.0]], [[]; 2]);
+        let master = PlacedEdge::new(across, [[-1.0, 0.0, 1.0], [1.0, 0.0, 1.0]], [[]; 2]);
         let up = [0.0, 0.0, 1.0];
         assert!(dot(slave.outward(), up) < 0.0 && dot(master.outward(), up) > 0.0);
         assert!(slave.stands_against(&master, up));
         assert!(!master.stands_against(&slave, up));
         assert!(!slave.stands_against(&master, scale(up, -1.0)));
-        let steep = PlacedEdge::new(across, [[-1.0, 0.0, 1.0], [1.0, 0.0, -0.5]]);
+        let steep = PlacedEdge::new(across, [[-1.0, 0.0, 1.0], [1.0, 0.0, -0.5]], [[]; 2]);
         assert!(slave.stands_against(&steep, up));
-        let hollow = PlacedEdge::new(across, [[1.0, 0.0, 1.0], [-1.0, 0.0, 1.0]]);
+        // a face goes as far as its corners, one that is steep to the normal hardly along it
+        let corners = [[[0.0, 0.0, 0.0], [2.0, 0.0, -2.0]], [[0.0, 0.0, 0.0], [-1.0, 0.0, -1.0]]];
+        let roof = PlacedEdge::new(across, [[1.0, 0.0, 1.0], [-1.0, 0.0, 1.0]], corners);
+        assert!((roof.reach(up) - 2.0).abs() < 1e-15 || (roof.reach(up) - 1.0).abs() < 1e-15);
+        let hollow = PlacedEdge::new(across, [[1.0, 0.0, 1.0], [-1.0, 0.0, 1.0]], [[]; 2]);
         assert!(!slave.stands_against(&hollow, up));
     }
 }

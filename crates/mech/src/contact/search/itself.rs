@@ -24,6 +24,8 @@ pub(super) const LOOKS: f64 = 0.01;
 pub(super) const SUNK: f64 = 0.5;
 /// What was back to back at the start within this many thicknesses is a part's own inside [1].
 pub(super) const INSIDE_OF: f64 = 2.5;
+/// Part of its first distance from a face behind which it stood up to which a node has stayed there [1]. (choice)
+pub(super) const STAYS: f64 = 0.5;
 /// Faces on either side of a node whose mean length tells how fine it is.
 const ABOUT: usize = 4;
 /// Part of the distance of two nodes by which one may be further from the faces of the other and
@@ -319,8 +321,8 @@ impl Itself {
         Some(self.seats[self.numbers[other]])
     }
 
-    /// Whether the node at a seat that is so deep behind a segment [L] has sunk in there: not where it stood as near behind it
-    /// before anything moved, nor from inside their own part; where the way there led through that at the start, as
+    /// Whether the node at a seat that is so deep behind a segment [L] has sunk in there: not where it stood behind it before
+    /// anything moved and has come no nearer since, nor from inside their own part; where the way there led through that at the start, as
     /// from the side of a strip to its end, no deeper than either side is thick.
     fn has_sunk_in(&self, seat: usize, (part, depth): (usize, f64)) -> bool {
         let most = SUNK * self.thickness[part];
@@ -329,9 +331,10 @@ impl Itself {
         }
         let (a, b) = (self.reference[part], self.reference[part + 1]);
         let (edge, way) = (sub(b, a), self.way_at_start(seat, part));
+        let (behind, first) = (cross(edge, way), size(way));
         // in line with the segment and beyond its end, as exactly as a deck gives that, counts as behind
-        let behind = cross(edge, way);
-        if behind > -LOOKS * size(edge) * size(way) && most.is_finite() && size(way) <= most {
+        let was_behind = self.is_one_line(seat, part) && behind > -LOOKS * size(edge) * first;
+        if was_behind && most.is_finite() && first <= most && depth > STAYS * first {
             return false;
         }
         if behind <= 0.0 {
@@ -339,8 +342,15 @@ impl Itself {
         }
         let own = self.thickness_towards(seat, part);
         let near = INSIDE_OF * own.min(self.thickness[part]) + size(edge);
-        let is_inside = size(way) <= near && self.leads_in(seat, way);
+        let is_inside = first <= near && self.leads_in(seat, way);
         !is_inside && (depth <= SUNK * own || !self.leads_through(seat, part))
+    }
+
+    /// Whether a seat and a segment are of one line.
+    fn is_one_line(&self, seat: usize, part: usize) -> bool {
+        let line =
+            |span: &Span| [seat, part].iter().all(|own| (span.first..=span.last + 1).contains(own));
+        self.spans.iter().any(line)
     }
 
     /// The way from the undeformed node at a seat to what of a segment is nearest [L].
@@ -356,9 +366,7 @@ impl Itself {
     fn leads_through(&self, seat: usize, part: usize) -> bool {
         let (from, a, b) = (self.reference[seat], self.reference[part], self.reference[part + 1]);
         let way = sub([0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])], from);
-        let line =
-            |span: &Span| [seat, part].iter().all(|own| (span.first..=span.last + 1).contains(own));
-        self.spans.iter().any(line) && self.leads_in(seat, way) && cross(sub(b, a), way) > 0.0
+        self.is_one_line(seat, part) && self.leads_in(seat, way) && cross(sub(b, a), way) > 0.0
     }
 
     /// Depth of the part behind the faces of a seat that look at a segment, undeformed, of both where

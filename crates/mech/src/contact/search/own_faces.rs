@@ -16,7 +16,7 @@ mod inward;
 mod ranks;
 
 use super::faces::{self, FacePlace, FaceTree, keep, nearest_of, walk};
-use super::itself::{HERE, INSIDE_OF, LOOKS, SUNK};
+use super::itself::{HERE, INSIDE_OF, LOOKS, STAYS, SUNK};
 use crate::surface::mesh::{FaceMesh, PlacedFace};
 use crate::vector::{Vector, add, cross, dot, scale, size, sub};
 use inward::leads_in;
@@ -234,13 +234,12 @@ impl OwnFaces {
             return f64::INFINITY;
         }
         let depth = dot(normal, sub(standing.middles[face], looking.point));
-        if depth > 0.0 && !self.has_sunk_in(mesh, looking.node, (face, depth)) {
+        if depth > SUNK * self.thickness[face] {
             return f64::INFINITY;
         }
-        let most = SUNK * self.thickness[face];
         let nearest = nearest_of(mesh, positions, face, looking.point);
         let may = match depth > 0.0 {
-            true => nearest.square <= most * most,
+            true => self.has_sunk_in(mesh, looking.node, (face, depth, nearest.square.sqrt())),
             false => looking.reaches(normal, nearest.way),
         };
         if may { nearest.square } else { f64::INFINITY }
@@ -260,34 +259,39 @@ impl OwnFaces {
         own.reduce(f64::min).unwrap_or_else(|| self.thickness_at(node))
     }
 
-    /// Whether a node that is so deep behind a face [L] has sunk in there. It has not where their own part was between them at
-    /// the start, and they were back to back or the node is deeper than half of what is behind its own faces, as
-    /// from the foot of a hook to its end; nor where it stood as near behind the face before anything moved, as
-    /// beside another limb.
-    fn has_sunk_in(&self, mesh: &FaceMesh, node: usize, (face, depth): (usize, f64)) -> bool {
+    /// Whether a node that is so deep behind a face and so far from it [L] has sunk in there. It has not where their own part was
+    /// between them at the start, and they were back to back or the node is deeper than half of what is behind its own
+    /// faces, as from the foot of a hook to its end; nor where it stood behind the face of its part before anything moved, as
+    /// beside another limb, and has come no nearer since.
+    fn has_sunk_in(
+        &self,
+        mesh: &FaceMesh,
+        node: usize,
+        (face, depth, distance): (usize, f64, f64),
+    ) -> bool {
         let most = SUNK * self.thickness[face];
-        if depth > most {
+        if distance > most {
             return false;
         }
         let reference = &self.reference[..];
         let (from, normal) = (reference[node], mesh.normal(face, reference));
         let nearest = nearest_of(mesh, reference, face, from);
-        let distance = nearest.square.sqrt();
+        let first = nearest.square.sqrt();
+        // a hollow is no part of the outside by its faces, and far enough from it to be met
+        let is_joined = self.joined[node] == self.joined[mesh.faces()[face].nodes[0]];
         // beside the face and in line with it, as exactly as a deck gives that, counts as behind
-        let was_behind = dot(normal, nearest.way) > -LOOKS * distance;
-        if was_behind && most.is_finite() && distance <= most {
+        let was_behind = is_joined && dot(normal, nearest.way) > -LOOKS * first;
+        if was_behind && most.is_finite() && first <= most && distance > STAYS * first {
             return false;
-        }
-        // to the middle: which side of the part it leads to is asked, not how far
-        let way = sub(mesh.middle(face, reference), from);
-        if dot(normal, way) <= 0.0 || !leads_in((mesh, reference), (node, &self.at[node]), way) {
-            return true;
         }
         let own = self.thickness_towards((mesh, node), normal);
         let near = INSIDE_OF * own.min(self.thickness[face]) + mesh.size(face, reference);
-        // a hollow is no part of the outside by its faces, and far enough from it to be met
-        let is_joined = self.joined[node] == self.joined[mesh.faces()[face].nodes[0]];
-        distance > near && (depth <= SUNK * own || !is_joined)
+        if first > near && (depth <= SUNK * own || !is_joined) {
+            return true;
+        }
+        // to the middle: which side of the part it leads to is asked, not how far
+        let way = sub(mesh.middle(face, reference), from);
+        dot(normal, way) <= 0.0 || !leads_in((mesh, reference), (node, &self.at[node]), way)
     }
 }
 

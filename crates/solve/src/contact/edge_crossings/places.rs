@@ -21,6 +21,8 @@ pub(crate) struct Found {
     pub edges: [usize; 2],
     /// Where they cross.
     pub gap: EdgeGap,
+    /// How far the bodies of both go behind them along the normal, together and by their faces at least [L].
+    pub reach: f64,
 }
 
 impl PlacedSides {
@@ -46,7 +48,8 @@ impl EdgeCrossings {
             let is_near = gap.gap.abs() <= slave.length() + master.length();
             if is_near && self.is_within(edges, gap.at) && slave.stands_against(master, gap.normal)
             {
-                all.push(Found { edges, gap });
+                let reach = slave.reach(gap.normal) + master.reach(gap.normal);
+                all.push(Found { edges, gap, reach });
             }
         });
         all.sort_by_key(|own| (self.lines(own.edges), own.edges));

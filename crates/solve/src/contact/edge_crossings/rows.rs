@@ -64,8 +64,9 @@ impl Contact {
     ) {
         let committed = before.points.get(place);
         let was_closed = committed.is_some_and(|before| before.closed);
-        // what is deeper than an edge is long came from behind, as round an end
-        if !was_closed && -found.gap.gap > self.spacing[own.of] {
+        // what is deeper than an edge is long came from behind, as round an end; what is deeper than both bodies
+        // go behind their edges stands beyond the other one
+        if !was_closed && -found.gap.gap > self.spacing[own.of].min(found.reach) {
             return;
         }
         let stood = committed.filter(|_| self.continues(own, place, found, before));

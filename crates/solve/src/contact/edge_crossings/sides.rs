@@ -128,7 +128,8 @@ impl EdgeSide {
             let [first, second] = &own.faces;
             let normals =
                 [first, second].map(|face| area_between(face.len(), |corner| at[face[corner]]));
-            PlacedEdge::new(own.ends.map(|node| at[node]), normals)
+            let corners = [first, second].map(|face| face.iter().map(|&corner| at[corner]));
+            PlacedEdge::new(own.ends.map(|node| at[node]), normals, corners)
         }));
     }
 
