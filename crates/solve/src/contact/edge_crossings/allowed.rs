@@ -115,7 +115,11 @@ impl CrossingStood {
 }
 
 /// The gap of two edges at the last commit, along the normal on the side of the one of now.
-fn gap_before(own: &EdgeCrossings, found: &Found, before: Before<'_>) -> Option<EdgeGap> {
+pub(super) fn gap_before(
+    own: &EdgeCrossings,
+    found: &Found,
+    before: Before<'_>,
+) -> Option<EdgeGap> {
     let is_known = !before.u.is_empty();
     is_known.then(|| EdgeGap::new(own.ends(found.edges, before.u), found.gap.normal)).flatten()
 }

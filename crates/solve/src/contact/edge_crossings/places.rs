@@ -9,6 +9,7 @@
 use super::sides::{EdgeCrossings, PlacedSides};
 use slideline_mech::contact::gap::edges::{EdgeGap, Shares};
 use slideline_mech::contact::search::edges::PlacedEdge;
+use slideline_mech::vector::{size, sub};
 
 /// Part of an edge by which a crossing may stand beyond it, where another edge of the line goes on [1]: the edge of the
 /// last iteration keeps it, so that no iteration goes to and fro between two.
@@ -69,6 +70,21 @@ impl EdgeCrossings {
             once.extend(group.iter().filter(keeps));
         }
         once
+    }
+
+    /// How far a crossing is from the nearest end of a line of its edges at displacements `u` [L]; an edge that goes on counts
+    /// with the next one.
+    pub fn width(&self, found: &Found, u: &[f64]) -> f64 {
+        let sides = self.sides().into_iter().zip(found.edges).zip(found.gap.at);
+        let ends = sides.flat_map(|((side, edge), share)| {
+            let long = |edge: usize| {
+                let [a, b] = side.ends(edge, u);
+                size(sub(b, a))
+            };
+            let beside = side.beside(edge).map(|other| other.map_or(0.0, long));
+            [share * long(edge) + beside[0], (1.0 - share) * long(edge) + beside[1]]
+        });
+        ends.fold(f64::INFINITY, f64::min)
     }
 
     /// Whether a crossing is within both edges, or hardly beyond one where another goes on.

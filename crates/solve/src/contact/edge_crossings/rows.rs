@@ -2,6 +2,7 @@
 //!
 //! docs/theory.md section 5.18
 
+use super::allowed::gap_before;
 use super::places::Found;
 use super::sides::{EdgeCrossings, PlacedSides};
 use crate::contact::before::Before;
@@ -64,9 +65,7 @@ impl Contact {
     ) {
         let committed = before.points.get(place);
         let was_closed = committed.is_some_and(|before| before.closed);
-        // what is deeper than an edge is long came from behind, as round an end; what is deeper than both bodies
-        // go behind their edges stands beyond the other one
-        if !was_closed && -found.gap.gap > self.spacing[own.of].min(found.reach) {
+        if !was_closed && self.came_from_elsewhere(own, found, (u, before)) {
             return;
         }
         let stood = committed.filter(|_| self.continues(own, place, found, before));
@@ -87,6 +86,24 @@ impl Contact {
         into.point.facing = Some(Facing::Edges(found.edges));
         into.point.footing = Some(point.footing(own.number(found.edges)));
         write_rows(own, (found.edges, edges_then), &point, into);
+    }
+}
+
+impl Contact {
+    /// Whether two edges that are not held stand in one another, and not by having met: what is deeper than an edge is long came
+    /// from behind, as round an end; what is deeper than both bodies go behind their edges stands beyond the other one; and
+    /// what was behind at the last commit and is deeper than it is far from an end of its line came in through
+    /// another side there.
+    fn came_from_elsewhere(
+        &self,
+        own: &EdgeCrossings,
+        found: &Found,
+        (u, before): (&[f64], Before<'_>),
+    ) -> bool {
+        let depth = -found.gap.gap;
+        let came_from_front = || gap_before(own, found, before).is_some_and(|then| then.gap >= 0.0);
+        depth > self.spacing[own.of].min(found.reach)
+            || depth > own.width(found, u) && !came_from_front()
     }
 }
 
