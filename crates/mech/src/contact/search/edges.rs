@@ -101,10 +101,10 @@ mod tests {
         assert!(!slave.stands_against(&master, scale(up, -1.0)));
         let steep = PlacedEdge::new(across, [[-1.0, 0.0, 1.0], [1.0, 0.0, -0.5]], [[]; 2]);
         assert!(slave.stands_against(&steep, up));
-        // a face goes as far as its corners, one that is steep to the normal hardly along it
-        let corners = [[[0.0, 0.0, 0.0], [2.0, 0.0, -2.0]], [[0.0, 0.0, 0.0], [-1.0, 0.0, -1.0]]];
-        let roof = PlacedEdge::new(across, [[1.0, 0.0, 1.0], [-1.0, 0.0, 1.0]], corners);
-        assert!((roof.reach(up) - 2.0).abs() < 1e-15 || (roof.reach(up) - 1.0).abs() < 1e-15);
+        // a body goes as far behind its edge as the corners of its faces
+        let corners = [[[0.0, 0.0, 0.0], [-1.0, 0.0, -1.0]], [[0.0, 0.0, 0.0], [2.0, 0.0, -2.0]]];
+        let roof = PlacedEdge::new(across, [[-1.0, 0.0, 1.0], [1.0, 0.0, 1.0]], corners);
+        assert!((roof.reach(up) - 2.0).abs() < 1e-15 && roof.reach([0.0, 1.0, 0.0]) == 0.0);
         let hollow = PlacedEdge::new(across, [[1.0, 0.0, 1.0], [-1.0, 0.0, 1.0]], [[]; 2]);
         assert!(!slave.stands_against(&hollow, up));
     }
