@@ -146,9 +146,12 @@ fn free_expansion_in_calculix_is_a_change_of_length() {
         let deck = alone(kind, &body, |_| HEAT);
         let watch = run_in(&deck, Dialect::Calculix);
         let [a, b] = [1, 2].map(|node| watch.u[&node]);
-        // the first edge is from (4, 0) to (5, 0.1)
-        let length = (1.0 + b[0] - a[0]).hypot(0.1 + b[1] - a[1]).hypot(b[2] - a[2]);
-        let error = length / 1.0_f64.hypot(0.1) - 1.0 - EXPANSION * HEAT;
+        let [from, to] = [0, 1].map(|k: usize| kind.cell.places[k]);
+        let along: [f64; 3] = std::array::from_fn(|k| to[k] - from[k]);
+        let [x, y, z] = [along[0] + 0.2 * along[1], 0.1 * along[0] + along[1], along[2]];
+        let length = |by: [f64; 3]| (x + by[0]).hypot(y + by[1]).hypot(z + by[2]);
+        let moved = std::array::from_fn(|k| b[k] - a[k]);
+        let error = length(moved) / length([0.0; 3]) - 1.0 - EXPANSION * HEAT;
         assert!(error.abs() < 1e-12, "{law} {error}");
     }
 }
