@@ -90,6 +90,10 @@ fn files_that_are_missing_truncated_or_foreign_are_named_and_nothing_is_written(
         let end = text.trim_end().rfind('\n').unwrap() + 1;
         text.as_bytes()[..end].to_vec()
     };
+    let heading = |name: &str| {
+        let text = read(&folder, name);
+        text.as_bytes()[..=text.find('\n').unwrap()].to_vec()
+    };
     let cases: Vec<(&str, Option<Vec<u8>>)> = vec![
         ("job.json", None),
         ("job.json", Some(half("job.json"))),
@@ -98,6 +102,8 @@ fn files_that_are_missing_truncated_or_foreign_are_named_and_nothing_is_written(
         ("job.history.csv", Some(half("job.history.csv"))),
         ("job.history.csv", Some(b"a,b\n1,2\n".to_vec())),
         ("job.contact.csv", Some(half("job.contact.csv"))),
+        ("job.contact.csv", Some(without_last_line("job.contact.csv"))),
+        ("job.contact.csv", Some(heading("job.contact.csv"))),
         ("job.contact.csv", Some(vec![0xff, 0xfe, 0, 1])),
         ("job.energy.csv", None),
         ("job.energy.csv", Some(half("job.energy.csv"))),

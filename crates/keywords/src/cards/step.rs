@@ -106,7 +106,8 @@ impl Keyword for Step {
 /// Whether kinematics are nonlinear where a step does not say so: once on they stay on, in both dialects, until a step says NO; in
 /// that of CalculiX some materials turn them on.
 fn is_large(card: &Reading<'_>, draft: &mut Draft) -> bool {
-    if let Some(before) = draft.steps.last() {
+    // a step that answers to its own loads alone leaves nothing to those behind it
+    if let Some(before) = draft.steps.iter().rfind(|step| step.perturbation.is_none()) {
         return before.nlgeom;
     }
     let law = draft.materials.iter().find_map(|material| {

@@ -214,3 +214,32 @@ fn what_cannot_meet_itself_is_said() {
         assert!(pairs.iter().all(|own| !own.meets_itself()), "{:?}", names(&read.model));
     }
 }
+
+/// Requirement: the hole of a part faces inward, and what is beside the part does not lie behind it: the outside of faces of solids
+/// comes from the mesh, and no label could be the wrong one (SL0337).
+#[test]
+fn a_hole_has_nothing_behind_it() {
+    let mut deck = "*NODE\n".to_owned();
+    // the block has the finer mesh, and so the frame is the master
+    for (first, count, size, right) in [(1, 4, 2, 0), (101, 2, 1, 8)] {
+        for k in 0..count * count {
+            let [x, y] = [right + size * (k % count), size * (k / count)];
+            deck += &format!("{}, {x}., {y}.\n", first + k);
+        }
+    }
+    deck += "*ELEMENT, TYPE=CPE4, ELSET=FRAME\n";
+    for k in (0..9).filter(|k| *k != 4) {
+        let first = 1 + k % 3 + 4 * (k / 3);
+        deck += &format!("{}, {first}, {}, {}, {}\n", k + 1, first + 1, first + 5, first + 4);
+    }
+    deck += "*ELEMENT, TYPE=CPE4, ELSET=BLOCK\n101, 101, 102, 104, 103\n*ELSET, ELSET=ALL\nFRAME, BLOCK\n\
+             *SOLID SECTION, ELSET=ALL, MATERIAL=M\n1.\n*MATERIAL, NAME=M\n*ELASTIC\n1000., .3\n*CONTACT\n\
+             *CONTACT INCLUSIONS, ALL EXTERIOR\n*STEP\n*STATIC\n*BOUNDARY\n1, 1, 2\n2, 2\n101, 1, 2\n102, 2\n*END STEP\n";
+    assert_eq!(
+        names(&model(&deck)).len(),
+        3,
+        "the block on both outlines, and the frame on itself"
+    );
+    let read = read(&mut Sources::default(), "a.inp", deck.as_bytes(), &NoFiles, Dialect::Abaqus);
+    assert!(read.diagnostics.iter().all(|found| found.code.0 != "SL0337"));
+}

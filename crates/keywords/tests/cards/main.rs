@@ -1,6 +1,7 @@
 //! Cards and what they mean.
 
 mod as_cae_writes;
+mod calculix;
 mod corpus;
 mod distributions;
 mod general_contact;

@@ -211,8 +211,11 @@ fn nothing_is_seen_through_a_pointed_tooth() {
         .flat_map(|flank| [0.7, 0.78, 0.8, 0.9].map(|low| (flank, low)))
         .flat_map(|(flank, low)| [0.7, 1.6, 2.8].map(|aside| (flank, low, aside)))
     {
-        let end = end(&beside_a_tooth(flank, low, aside));
-        assert!(!end.touched, "{flank} {low} {aside}");
+        let deck = beside_a_tooth(flank, low, aside);
+        assert!(!end(&deck).touched, "{flank} {low} {aside}");
+        // nor is its tip a line that turns back
+        let said = slideline::advise(&Job::read_text("tooth", &deck, &ReadOptions::default()));
+        assert!(said.iter().all(|own| own.code.0 != "SL0412"), "{said:?}");
     }
 }
 
@@ -345,4 +348,24 @@ fn edges_that_cross_at_a_corner_that_came_in_by_the_side_are_not_held() {
         assert!(aside.abs() < 1e-3 * along && across.abs() < 0.3 * along, "{drop}: {across}");
         assert!(faces.iterations < 20, "{drop}: {}", faces.iterations);
     }
+}
+
+/// Requirement: of two thin plates, one below the other, edges that cross are not held though they are behind one another by less
+/// than they are long: the parts of both are thinner than that. They were held, and elements collapsed before anything touched.
+#[test]
+fn edges_of_plates_that_stand_apart_are_not_held() {
+    let upper = bricks(1, [&[0.0, 1.0, 2.0], &[0.0, 2.0], &[0.0, 0.2]], 3);
+    let lower = bricks(1001, [&[-1.0, 1.0], &[0.5, 1.5], &[-0.5, -0.3]], 3);
+    let deck = format!(
+        "*NODE\n{}{}*ELEMENT, TYPE=C3D8, ELSET=UPPER\n{}*ELEMENT, TYPE=C3D8, ELSET=LOWER\n{}*NSET, NSET=HELD\n\
+         3, 6, 9, 12\n*NSET, NSET=DRIVEN\n1001, 1003, 1005, 1007\n*SURFACE, NAME=S1\nLOWER,\n\
+         *SURFACE, NAME=S2\nUPPER,\n*SOLID SECTION, ELSET=UPPER, MATERIAL=M\n\
+         *SOLID SECTION, ELSET=LOWER, MATERIAL=M\n*MATERIAL, NAME=M\n*ELASTIC\n1000., .3\n\
+         *SURFACE INTERACTION, NAME=I\n*FRICTION\n0.2\n\
+         *CONTACT PAIR, INTERACTION=I, TYPE=SURFACE TO SURFACE\nS1, S2\n*STEP, NLGEOM, INC=100\n*STATIC\n\
+         .25, 1.\n*BOUNDARY\nHELD, 1, 3\nDRIVEN, 1, 2\nDRIVEN, 3, 3, -0.05\n*END STEP\n",
+        upper[0], lower[0], upper[1], lower[1]
+    );
+    let end = end(&deck);
+    assert!(!end.touched && end.reaction.iter().all(|own| own.abs() < 1e-9), "{:?}", end.reaction);
 }

@@ -1,5 +1,6 @@
 //! Points that stand behind a master, or have no room between two.
 
+use super::beyond::{Beyond, ChainNode};
 use super::facing::Facing;
 use super::kinematics::{ContactKinematics, PointKinematics};
 use super::master::MasterSurface;
@@ -8,9 +9,10 @@ use super::positions::distance;
 use super::thicknesses::Behind;
 use crate::state::PointState;
 use slideline_mech::contact::gap::offset::Offset;
+use slideline_mech::contact::search::chain::Chain;
 use slideline_mech::contact::search::pass::cross_faces;
 use slideline_mech::contact::search::sweep::{cross_chain, cross_parts};
-use slideline_mech::vector::{add, dot, scale, size};
+use slideline_mech::vector::{Vector, add, dot, scale, size};
 use slideline_model::Presence;
 
 /// Parts of a segment whose ends are held against another body.
@@ -89,15 +91,19 @@ impl Contact {
         (now, u): (&PointKinematics, &[f64]),
     ) -> bool {
         // faces in space, and lines that meet themselves, are looked at in this way by their search
-        if !matches!(self.masters[point.pair], MasterSurface::Line { itself: None, .. }) {
+        let MasterSurface::Line { chain, nodes, beyond, itself: None, .. } =
+            &self.masters[point.pair]
+        else {
             return false;
-        }
+        };
         let sizes = point.faces.iter().map(|&face| self.slave_faces[face].stands(u).1);
         if depth <= SMALL * sizes.fold(f64::INFINITY, f64::min) {
             return false;
         }
         let place = add(now.position, scale(now.normal, now.overclosure + now.allowed));
-        self.enters(point, (now.position, place), (u, u))
+        let (stands, mut enters) = (line(chain, nodes, beyond, u), false);
+        cross_chain((&stands, &stands), (now.position, place), |own| enters |= own.inward);
+        enters
     }
 
     /// What is behind what a point faces of a master, the thicker part.
@@ -273,16 +279,16 @@ impl Contact {
                 });
             }
             MasterSurface::Line { chain, nodes, beyond, .. } => {
-                let positions = |u: &[f64]| {
-                    let nodes = nodes[beyond.own(nodes.len())]
-                        .iter()
-                        .map(|(at, dofs)| dofs.displace(*at, u));
-                    chain.prolonged(nodes.collect())
-                };
-                let (before, after) = (positions(from), positions(to));
+                let [before, after] = [from, to].map(|u| line(chain, nodes, beyond, u));
                 cross_chain((&before, &after), (start, end), |crossing| inward |= crossing.inward);
             }
         }
         inward
     }
+}
+
+/// Where the nodes of a line stand, its ends prolonged [L].
+fn line(chain: &Chain, nodes: &[ChainNode], beyond: &Beyond, u: &[f64]) -> Vec<Vector> {
+    let own = nodes[beyond.own(nodes.len())].iter();
+    chain.prolonged(own.map(|(at, dofs)| dofs.displace(*at, u)).collect())
 }

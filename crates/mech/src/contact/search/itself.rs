@@ -12,6 +12,9 @@
 //! Of two nodes that meet each other's faces one alone is a slave: the one that ranks first.
 //! docs/theory.md section 5.12. (derived)
 
+mod ranks;
+mod sunk;
+
 use super::chain::{Candidate, Chain, Piece, PieceKind, flat};
 use super::nearest::{ChainTree, better, joined};
 use super::tree::{Bounds, BoxTree};
@@ -26,13 +29,9 @@ pub(super) const SUNK: f64 = 0.5;
 pub(super) const INSIDE_OF: f64 = 2.5;
 /// Part of its first distance from a face behind which it stood up to which a node has stayed there [1]. (choice)
 pub(super) const STAYS: f64 = 0.5;
-/// Faces on either side of a node whose mean length tells how fine it is.
-const ABOUT: usize = 4;
 /// Part of the distance of two nodes by which one may be further from the faces of the other and
 /// still meet it at the same place [1].
 pub(super) const HERE: f64 = 0.5;
-/// Turn at a node of the undeformed surface from which on it is a sharp edge [rad].
-const SHARP: f64 = 50.0 * std::f64::consts::PI / 180.0;
 
 /// A stretch of neighbouring nodes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -319,134 +318,6 @@ impl Itself {
         };
         let other = other.filter(|&k| self.parts.get(k).is_some_and(|&own| own != Part::Gap))?;
         Some(self.seats[self.numbers[other]])
-    }
-
-    /// Whether the node at a seat that is so deep behind a segment [L] has sunk in there: not where it stood behind it before
-    /// anything moved and has come no nearer since, nor from inside their own part; where the way there led through that at the start, as
-    /// from the side of a strip to its end, no deeper than either side is thick.
-    fn has_sunk_in(&self, seat: usize, (part, depth): (usize, f64)) -> bool {
-        let most = SUNK * self.thickness[part];
-        if depth > most {
-            return false;
-        }
-        let (a, b) = (self.reference[part], self.reference[part + 1]);
-        let (edge, way) = (sub(b, a), self.way_at_start(seat, part));
-        let (behind, first) = (cross(edge, way), size(way));
-        // in line with the segment and beyond its end, as exactly as a deck gives that, counts as behind
-        let was_behind = self.is_one_line(seat, part) && behind > -LOOKS * size(edge) * first;
-        if was_behind && most.is_finite() && first <= most && depth > STAYS * first {
-            return false;
-        }
-        if behind <= 0.0 {
-            return true;
-        }
-        let own = self.thickness_towards(seat, part);
-        let near = INSIDE_OF * own.min(self.thickness[part]) + size(edge);
-        let is_inside = first <= near && self.leads_in(seat, way);
-        !is_inside && (depth <= SUNK * own || !self.leads_through(seat, part))
-    }
-
-    /// Whether a seat and a segment are of one line.
-    fn is_one_line(&self, seat: usize, part: usize) -> bool {
-        let line =
-            |span: &Span| [seat, part].iter().all(|own| (span.first..=span.last + 1).contains(own));
-        self.spans.iter().any(line)
-    }
-
-    /// The way from the undeformed node at a seat to what of a segment is nearest [L].
-    fn way_at_start(&self, seat: usize, part: usize) -> Point {
-        let (from, a, b) = (self.reference[seat], self.reference[part], self.reference[part + 1]);
-        let edge = sub(b, a);
-        let at = (dot(sub(from, a), edge) / dot(edge, edge)).clamp(0.0, 1.0);
-        sub([a[0] + at * edge[0], a[1] + at * edge[1]], from)
-    }
-
-    /// Whether the way from the node at a seat to the middle of a segment of the same line led into the part at the
-    /// start, and out of it there.
-    fn leads_through(&self, seat: usize, part: usize) -> bool {
-        let (from, a, b) = (self.reference[seat], self.reference[part], self.reference[part + 1]);
-        let way = sub([0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])], from);
-        self.is_one_line(seat, part) && self.leads_in(seat, way) && cross(sub(b, a), way) > 0.0
-    }
-
-    /// Depth of the part behind the faces of a seat that look at a segment, undeformed, of both where
-    /// neither does [L]: a web may be thin one way and wide the other.
-    fn thickness_towards(&self, seat: usize, part: usize) -> f64 {
-        let along = |side: usize| {
-            let edge = along_of(&self.reference, side);
-            [edge[0] / size(edge), edge[1] / size(edge)]
-        };
-        let towards = along(part);
-        let least = |sides: &mut dyn Iterator<Item = usize>| {
-            sides.map(|side| self.thickness[side]).reduce(f64::min)
-        };
-        let looking = &mut self.beside(seat).filter(|&side| dot(along(side), towards) < -LOOKS);
-        least(looking).or_else(|| least(&mut self.beside(seat))).unwrap_or(f64::INFINITY)
-    }
-
-    /// Whether a way from the undeformed node at a seat leads into the part: behind a valley is what is behind
-    /// one of both faces, elsewhere what is behind both.
-    fn leads_in(&self, seat: usize, way: Point) -> bool {
-        let edges = self.beside(seat).map(|side| along_of(&self.reference, side));
-        let mut enters = edges.map(|edge| cross(edge, way) <= 0.0);
-        match self.turn(seat) > 0.0 {
-            true => enters.any(|enters| enters),
-            false => enters.all(|enters| enters),
-        }
-    }
-
-    /// How far the straight way inward from the middle of a segment leads to the next one that
-    /// ends its part, undeformed [L].
-    fn depth_behind(&self, part: usize) -> f64 {
-        let (a, b) = (self.reference[part], self.reference[part + 1]);
-        let edge = sub(b, a);
-        let (middle, inward) = ([0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])], [edge[1], -edge[0]]);
-        let inward = inward.map(|x| x / size(edge));
-        let others = (0..self.parts.len()).filter(|&k| k != part && self.parts[k] == Part::Own);
-        let depths = others.filter_map(|other| {
-            let (c, d) = (self.reference[other], self.reference[other + 1]);
-            let (edge, way) = (sub(d, c), sub(c, middle));
-            // the way leaves the material where it goes to the outside, on the left of the edge
-            let area = cross(inward, edge);
-            let (depth, at) = (cross(way, edge) / area, cross(way, inward) / area);
-            (area < 0.0 && depth > 0.0 && (0.0..=1.0).contains(&at)).then_some(depth)
-        });
-        depths.fold(f64::INFINITY, f64::min)
-    }
-
-    /// Sharp edges that stand out come first, then what has shorter faces, in classes of twice the
-    /// length, then all in their order: pointed and fine are the slaves of flat and coarse.
-    fn rank(&mut self) {
-        let sizes: Vec<f64> = self.seats.iter().map(|&seat| self.fineness(seat)).collect();
-        let longest = sizes.iter().copied().fold(0.0, f64::max);
-        let class = |number: usize| -((longest / sizes[number]).log2() + 0.5).floor() as i64;
-        let mut order: Vec<usize> = (0..self.seats.len()).collect();
-        order.sort_by_key(|&number| (!self.is_edge(self.seats[number]), class(number), number));
-        for (rank, number) in order.into_iter().enumerate() {
-            self.ranks[number] = rank;
-        }
-    }
-
-    /// Mean length of the faces about a seat [L].
-    fn fineness(&self, seat: usize) -> f64 {
-        let about = seat.saturating_sub(ABOUT)..(seat + ABOUT).min(self.parts.len());
-        let own = about.filter(|&part| self.parts[part] != Part::Gap);
-        let lengths = own.map(|part| size(sub(self.reference[part + 1], self.reference[part])));
-        let (sum, count) = lengths.fold((0.0, 0), |(sum, count), l| (sum + l, count + 1));
-        sum / f64::from(count)
-    }
-
-    /// Whether the surface turns away sharply at a seat: it stands out there.
-    fn is_edge(&self, seat: usize) -> bool {
-        self.turn(seat) < -SHARP
-    }
-
-    /// Angle by which the undeformed surface turns at a seat, to the left, where the outside is: an
-    /// edge that stands out is negative, a valley positive; zero at an end [rad].
-    fn turn(&self, seat: usize) -> f64 {
-        let mut sides = self.beside(seat).map(|side| along_of(&self.reference, side));
-        let (Some(before), Some(behind)) = (sides.next(), sides.next()) else { return 0.0 };
-        cross(before, behind).atan2(dot(before, behind))
     }
 
     /// Change of the coordinate along the surface [L]: the short way round a closed run, zero from

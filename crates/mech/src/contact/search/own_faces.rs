@@ -12,15 +12,17 @@
 //! The rules are those of a surface in the plane ([`super::itself`]); a node looks no farther than a
 //! few faces about it. docs/theory.md section 5.12. (derived)
 
+mod depth;
 mod inward;
 mod ranks;
+mod sunk;
 
 use super::faces::{self, FacePlace, FaceTree, keep, nearest_of, walk};
 use super::itself::{HERE, INSIDE_OF, LOOKS, STAYS, SUNK};
 use crate::surface::mesh::{FaceMesh, PlacedFace};
-use crate::vector::{Vector, add, cross, dot, scale, size, sub};
-use inward::leads_in;
-use ranks::ranks;
+use crate::vector::{Vector, dot, size, sub};
+use depth::depth_behind;
+use ranks::{ranks, stretches};
 use std::collections::HashMap;
 
 /// Faces about a node that are remembered.
@@ -43,8 +45,8 @@ pub struct OwnFaces {
     reference: Vec<Vector>,
     /// Depth of the part behind every face, undeformed [L]; infinite where nothing ends it.
     thickness: Vec<f64>,
-    /// Of every node the first one of all that faces join it with.
-    joined: Vec<usize>,
+    /// The stretch of connected faces of every node, by its first node.
+    stretches: Vec<usize>,
 }
 
 /// How the faces of a surface stand, face by face.
@@ -125,8 +127,8 @@ impl OwnFaces {
         let depth = |face: usize| depth_behind((mesh, reference), &tree, (face, sizes[face]));
         let thickness = (0..mesh.faces().len()).map(depth).collect();
         let ranks = ranks((mesh, reference), &at, &fineness);
-        let joined = joined(mesh, reference.len());
-        Self { at, near, ranks, reach, reference: reference.to_vec(), thickness, joined }
+        let stretches = stretches(mesh, &at);
+        Self { at, near, ranks, reach, reference: reference.to_vec(), thickness, stretches }
     }
 
     /// The same of nodes that stand elsewhere undeformed; nothing is done where they do not.
@@ -244,55 +246,6 @@ impl OwnFaces {
         };
         if may { nearest.square } else { f64::INFINITY }
     }
-
-    /// Depth of the part at a node, undeformed: the least of the faces about it [L].
-    fn thickness_at(&self, node: usize) -> f64 {
-        let own = self.at[node].iter().map(|&face| self.thickness[face]);
-        own.fold(f64::INFINITY, f64::min)
-    }
-
-    /// The same of those that look at a face of this normal: what lies between them is that deep. A
-    /// plate is thin across, and wide between its hole and its rim.
-    fn thickness_towards(&self, (mesh, node): (&FaceMesh, usize), normal: Vector) -> f64 {
-        let looks = |&&own: &&usize| dot(mesh.normal(own, &self.reference), normal) < -LOOKS;
-        let own = self.at[node].iter().filter(looks).map(|&face| self.thickness[face]);
-        own.reduce(f64::min).unwrap_or_else(|| self.thickness_at(node))
-    }
-
-    /// Whether a node that is so deep behind a face and so far from it [L] has sunk in there. It has not where their own part was
-    /// between them at the start, and they were back to back or the node is deeper than half of what is behind its own
-    /// faces, as from the foot of a hook to its end; nor where it stood behind the face of its part before anything moved, as
-    /// beside another limb, and has come no nearer since.
-    fn has_sunk_in(
-        &self,
-        mesh: &FaceMesh,
-        node: usize,
-        (face, depth, distance): (usize, f64, f64),
-    ) -> bool {
-        let most = SUNK * self.thickness[face];
-        if distance > most {
-            return false;
-        }
-        let reference = &self.reference[..];
-        let (from, normal) = (reference[node], mesh.normal(face, reference));
-        let nearest = nearest_of(mesh, reference, face, from);
-        let first = nearest.square.sqrt();
-        // a hollow is no part of the outside by its faces, and far enough from it to be met
-        let is_joined = self.joined[node] == self.joined[mesh.faces()[face].nodes[0]];
-        // beside the face and in line with it, as exactly as a deck gives that, counts as behind
-        let was_behind = is_joined && dot(normal, nearest.way) > -LOOKS * first;
-        if was_behind && most.is_finite() && first <= most && distance > STAYS * first {
-            return false;
-        }
-        let own = self.thickness_towards((mesh, node), normal);
-        let near = INSIDE_OF * own.min(self.thickness[face]) + mesh.size(face, reference);
-        if first > near && (depth <= SUNK * own || !is_joined) {
-            return true;
-        }
-        // to the middle: which side of the part it leads to is asked, not how far
-        let way = sub(mesh.middle(face, reference), from);
-        dot(normal, way) <= 0.0 || !leads_in((mesh, reference), (node, &self.at[node]), way)
-    }
 }
 
 impl Looking {
@@ -308,23 +261,6 @@ impl Looking {
         length <= SUNK * self.thickness
             || all.any(|own| dot(*own, normal) < -LOOKS && dot(*own, way) > LOOKS * length)
     }
-}
-
-/// Of every node the first one of all that faces join it with.
-fn joined(mesh: &FaceMesh, count: usize) -> Vec<usize> {
-    let mut first: Vec<usize> = (0..count).collect();
-    let mut is_new = true;
-    while is_new {
-        is_new = false;
-        for face in mesh.faces() {
-            let least = face.nodes.iter().map(|&node| first[first[node]]).min().unwrap_or_default();
-            for &node in &face.nodes {
-                is_new |= first[node] != least;
-                first[node] = least;
-            }
-        }
-    }
-    first
 }
 
 /// The faces with which the surface goes on at every node though they have another one in its place, as
@@ -348,59 +284,6 @@ fn going_on((mesh, reference): (&FaceMesh, &[Vector]), at: &[Vec<usize>]) -> Vec
         }
     }
     going_on
-}
-
-/// How far the straight way inward from the middle of a face leads to the next face that ends its
-/// part [L]; looked for within twice the distance, and twice, as long as there is more of it.
-fn depth_behind(
-    (mesh, reference): (&FaceMesh, &[Vector]),
-    tree: &FaceTree,
-    (face, own): (usize, f64),
-) -> f64 {
-    let (from, inward) = (mesh.middle(face, reference), scale(mesh.normal(face, reference), -1.0));
-    let all = tree.bounds().map_or(0.0, |(low, high)| size(sub(high, low)));
-    let mut length = own;
-    while length > 0.0 {
-        let to = add(from, scale(inward, length));
-        let low = std::array::from_fn(|k| from[k].min(to[k]));
-        let high = std::array::from_fn(|k| from[k].max(to[k]));
-        let mut least = f64::INFINITY;
-        tree.overlapping((low, high), |other| {
-            if other != face {
-                least = least.min(depth_of((mesh, reference), other, (from, inward)));
-            }
-        });
-        if least <= length || length > all {
-            return least;
-        }
-        length *= 2.0;
-    }
-    f64::INFINITY
-}
-
-/// How far a way leads until it leaves the material through a face [L]; infinite where it does not.
-fn depth_of(
-    (mesh, reference): (&FaceMesh, &[Vector]),
-    face: usize,
-    (from, way): (Vector, Vector),
-) -> f64 {
-    let own = &mesh.faces()[face];
-    let depth = |triangle: &[usize; 3]| {
-        let [a, b, c] = triangle.map(|corner| reference[own.nodes[corner]]);
-        let (first, second, to) = (sub(b, a), sub(c, a), sub(from, a));
-        let normal = cross(first, second);
-        let leaves = dot(normal, way);
-        if leaves <= 0.0 {
-            return f64::INFINITY;
-        }
-        // a + v (b - a) + w (c - a) = from + depth way
-        let aside = cross(to, way);
-        let (v, w) = (-dot(second, aside) / leaves, dot(first, aside) / leaves);
-        let depth = -dot(normal, to) / leaves;
-        let hits = depth > 0.0 && v >= -super::INSIDE && w >= -super::INSIDE;
-        if hits && v + w <= 1.0 + super::INSIDE { depth } else { f64::INFINITY }
-    };
-    own.triangles().iter().map(depth).fold(f64::INFINITY, f64::min)
 }
 
 #[cfg(test)]

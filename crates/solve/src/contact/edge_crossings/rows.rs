@@ -102,8 +102,9 @@ impl Contact {
     ) -> bool {
         let depth = -found.gap.gap;
         let came_from_front = || gap_before(own, found, before).is_some_and(|then| then.gap >= 0.0);
-        depth > self.spacing[own.of].min(found.reach)
-            || depth > own.width(found, u) && !came_from_front()
+        depth > 0.0
+            && (depth > self.spacing[own.of].min(found.reach)
+                || depth > own.width(found, u) && !came_from_front())
     }
 }
 

@@ -31,18 +31,27 @@ pub(super) fn leads_in(
     let shortest = edges.fold(f64::INFINITY, f64::min);
     let step = STEP * shortest;
     let place = add(from, scale(way, step / size(way)));
-    let distance = |[second, third]: [usize; 2]| {
-        nearest_of_triangle([from, reference[second], reference[third]], place).0.sqrt()
-    };
-    let least = fan().map(distance).fold(f64::INFINITY, f64::min);
-    let is_at_node = least >= (1.0 - SAME) * step;
-    let mut normal = [0.0; 3];
-    for others in fan().filter(|&others| is_at_node || distance(others) <= least + SAME * step) {
-        let [one, other] = others.map(|other| sub(reference[other], from));
+    let (mut least, mut normal, mut by_angles) = (f64::INFINITY, [0.0; 3], [0.0; 3]);
+    for [second, third] in fan() {
+        let corners = [from, reference[second], reference[third]];
+        let distance = nearest_of_triangle(corners, place).0.sqrt();
+        let (one, other) = (sub(corners[1], from), sub(corners[2], from));
         let area = cross(one, other);
-        let angle = size(area).atan2(dot(one, other));
-        let weight = if is_at_node { angle } else { 1.0 };
-        normal = add(normal, scale(area, weight / size(area)));
+        if area == [0.0; 3] {
+            continue;
+        }
+        let unit = scale(area, 1.0 / size(area));
+        by_angles = add(by_angles, scale(unit, size(area).atan2(dot(one, other))));
+        if distance < least - SAME * step {
+            normal = unit;
+        } else if distance <= least + SAME * step {
+            normal = add(normal, unit);
+        }
+        least = least.min(distance);
+    }
+    // nothing of the fan is nearer than the node
+    if least >= (1.0 - SAME) * step {
+        normal = by_angles;
     }
     dot(normal, way) <= SAME * size(way)
 }

@@ -64,6 +64,17 @@ fn following(mesh: &FaceMesh, at: &[Vec<usize>]) -> Vec<usize> {
     number
 }
 
+/// The connected stretch of every node, by its first node.
+pub(super) fn stretches(mesh: &FaceMesh, at: &[Vec<usize>]) -> Vec<usize> {
+    let mut seen = vec![usize::MAX; at.len()];
+    for first in 0..at.len() {
+        if seen[first] == usize::MAX {
+            spreading(mesh, at, first, (&mut seen, first));
+        }
+    }
+    seen
+}
+
 /// The nodes of a stretch in the order in which a wave from one of them meets them; what it met is
 /// marked.
 fn spreading(

@@ -1,6 +1,7 @@
 use super::*;
 use crate::element::cell::QUAD4;
 use crate::surface::mesh::MeshFace;
+use crate::vector::add;
 use std::collections::HashMap;
 
 /// Cells along every edge of a box: enough for faces that are no neighbours of a node.
