@@ -221,9 +221,9 @@ fn what_cannot_meet_itself_is_said() {
 fn a_hole_has_nothing_behind_it() {
     let mut deck = "*NODE\n".to_owned();
     // the block has the finer mesh, and so the frame is the master
-    for (first, count, size, right) in [(1, 4, 2, 0), (101, 2, 1, 8)] {
+    for (first, count, size, [right, up]) in [(1, 4, 2, [0, 0]), (101, 2, 1, [8, 2])] {
         for k in 0..count * count {
-            let [x, y] = [right + size * (k % count), size * (k / count)];
+            let [x, y] = [right + size * (k % count), up + size * (k / count)];
             deck += &format!("{}, {x}., {y}.\n", first + k);
         }
     }

@@ -354,8 +354,8 @@ fn edges_that_cross_at_a_corner_that_came_in_by_the_side_are_not_held() {
 /// than they are long: the parts of both are thinner than that. They were held, and elements collapsed before anything touched.
 #[test]
 fn edges_of_plates_that_stand_apart_are_not_held() {
-    let upper = bricks(1, [&[0.0, 1.0, 2.0], &[0.0, 2.0], &[0.0, 0.2]], 3);
-    let lower = bricks(1001, [&[-1.0, 1.0], &[0.5, 1.5], &[-0.5, -0.3]], 3);
+    let upper = bricks(1, [&[0.0, 1.0, 2.0], &[0.0, 2.0], &[0.0, 0.1]], 3);
+    let lower = bricks(1001, [&[-1.0, 1.0], &[0.5, 1.5], &[-0.15, -0.05]], 3);
     let deck = format!(
         "*NODE\n{}{}*ELEMENT, TYPE=C3D8, ELSET=UPPER\n{}*ELEMENT, TYPE=C3D8, ELSET=LOWER\n{}*NSET, NSET=HELD\n\
          3, 6, 9, 12\n*NSET, NSET=DRIVEN\n1001, 1003, 1005, 1007\n*SURFACE, NAME=S1\nLOWER,\n\
