@@ -13,22 +13,17 @@
 //! docs/theory.md section 5.12. (derived)
 
 mod ranks;
-mod sunk;
+mod undeformed;
 
 use super::chain::{Candidate, Chain, Piece, PieceKind, flat};
 use super::nearest::{ChainTree, better, joined};
 use super::tree::{Bounds, BoxTree};
 use super::{Point, cross, dot, sub};
+use ranks::ranks;
+use undeformed::{Part, Span, Undeformed, size};
 
-/// Cosine by which two faces must look at one another: faces at a right angle, as exactly as a deck
-/// gives them, do not [1].
-pub(super) const LOOKS: f64 = 0.01;
-/// Part of the thickness that a node may have sunk in [1].
-pub(super) const SUNK: f64 = 0.5;
-/// What was back to back at the start within this many thicknesses is a part's own inside [1].
-pub(super) const INSIDE_OF: f64 = 2.5;
-/// Part of its first distance from a face behind which it stood up to which a node has stayed there [1]. (choice)
-pub(super) const STAYS: f64 = 0.5;
+pub(super) use undeformed::{INSIDE_OF, LOOKS, STAYS, SUNK};
+
 /// Part of the distance of two nodes by which one may be further from the faces of the other and
 /// still meet it at the same place [1].
 pub(super) const HERE: f64 = 0.5;
@@ -42,34 +37,18 @@ pub struct Run {
     pub is_closed: bool,
 }
 
-/// What a place of the list of segments is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Part {
-    /// A face of the surface.
-    Own,
-    /// A repeated face at the seam of a closed run: a neighbour, never met.
-    Repeated,
-    /// Nothing: one run ends and the next begins.
-    Gap,
-}
-
 /// A surface that meets itself. Its nodes stand in one list, run after run, a closed run with its
 /// last node before it and its first two behind it once more.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Itself {
-    /// Of every segment of the list.
-    parts: Vec<Part>,
+    /// The list as it stood before anything moved.
+    undeformed: Undeformed,
     /// Number of the node at every place of the list, counted over all runs.
     numbers: Vec<usize>,
     /// Place of every node in the list.
     seats: Vec<usize>,
     /// Of every node: of two that meet, the lower one is the slave.
     ranks: Vec<usize>,
-    /// Undeformed places of the list [L].
-    reference: Vec<Point>,
-    /// Depth of the part behind every segment, undeformed [L]; infinite where none ends it.
-    thickness: Vec<f64>,
-    spans: Vec<Span>,
 }
 
 /// A surface where it stands.
@@ -81,14 +60,6 @@ pub struct Placed<'a> {
     pub positions: &'a [[f64; 3]],
     /// A tree fitted to them.
     pub tree: &'a ChainTree,
-}
-
-/// First and last face of a run in the list.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Span {
-    first: usize,
-    last: usize,
-    is_closed: bool,
 }
 
 /// The nodes of runs in the order of the list, numbered over all runs.
@@ -109,6 +80,25 @@ pub fn listed(runs: &[Run]) -> Vec<usize> {
     list
 }
 
+/// What every segment of the list is, the faces of every run, and where every node stands in it.
+fn laid_out(runs: &[Run]) -> (Vec<Part>, Vec<Span>, Vec<usize>) {
+    let (mut parts, mut seats, mut spans) = (Vec::new(), Vec::new(), Vec::new());
+    for run in runs {
+        if !parts.is_empty() {
+            parts.push(Part::Gap);
+        }
+        let begin = parts.len();
+        let repeated = usize::from(run.is_closed);
+        parts.extend(std::iter::repeat_n(Part::Repeated, repeated));
+        let first = parts.len();
+        parts.extend(std::iter::repeat_n(Part::Own, run.nodes - 1 + repeated));
+        spans.push(Span { first, last: parts.len() - 1, is_closed: run.is_closed });
+        parts.extend(std::iter::repeat_n(Part::Repeated, repeated));
+        seats.extend((0..run.nodes).map(|k| begin + repeated + k));
+    }
+    (parts, spans, seats)
+}
+
 impl Itself {
     /// The surface of runs whose nodes stand at `reference` undeformed, in the order of
     /// [`listed`], and its chain. `None` for a run of too few nodes, a face without length, or
@@ -122,44 +112,26 @@ impl Itself {
         if runs.is_empty() || !runs.iter().all(enough) {
             return None;
         }
-        let mut own = Self::laid_out(runs);
-        own.reference.extend(reference.iter().copied().map(flat));
-        if own.reference.len() != own.numbers.len() {
+        let (parts, spans, seats) = laid_out(runs);
+        let numbers = listed(runs);
+        if reference.len() != numbers.len() {
             return None;
         }
+        let reference = reference.iter().copied().map(flat).collect();
+        let undeformed = Undeformed::new(parts, spans, reference);
+        let ranks = ranks(&undeformed, &seats);
+        let own = Self { undeformed, numbers, seats, ranks };
         let chain = own.chain(smoothing, extension)?;
-        own.thickness = (0..own.parts.len()).map(|part| own.depth_behind(part)).collect();
-        own.rank();
         Some((own, chain))
-    }
-
-    /// What every segment of the list is, where every node stands in it, and the faces of every run.
-    fn laid_out(runs: &[Run]) -> Self {
-        let (mut parts, mut seats, mut spans) = (Vec::new(), Vec::new(), Vec::new());
-        for run in runs {
-            if !parts.is_empty() {
-                parts.push(Part::Gap);
-            }
-            let begin = parts.len();
-            let repeated = usize::from(run.is_closed);
-            parts.extend(std::iter::repeat_n(Part::Repeated, repeated));
-            let first = parts.len();
-            parts.extend(std::iter::repeat_n(Part::Own, run.nodes - 1 + repeated));
-            spans.push(Span { first, last: parts.len() - 1, is_closed: run.is_closed });
-            parts.extend(std::iter::repeat_n(Part::Repeated, repeated));
-            seats.extend((0..run.nodes).map(|k| begin + repeated + k));
-        }
-        let (ranks, numbers) = (vec![0; seats.len()], listed(runs));
-        let (reference, thickness) = (Vec::new(), Vec::new());
-        Self { parts, numbers, seats, ranks, reference, thickness, spans }
     }
 
     /// The chain of the list; a gap has the mean length of the faces.
     fn chain(&self, smoothing: f64, extension: f64) -> Option<Chain> {
-        let lengths: Vec<f64> = self.reference.windows(2).map(|w| size(sub(w[1], w[0]))).collect();
-        let faces = || lengths.iter().zip(&self.parts).filter(|(_, part)| **part != Part::Gap);
+        let Undeformed { parts, reference, .. } = &self.undeformed;
+        let lengths: Vec<f64> = reference.windows(2).map(|w| size(sub(w[1], w[0]))).collect();
+        let faces = || lengths.iter().zip(parts).filter(|(_, part)| **part != Part::Gap);
         let mean = faces().map(|(length, _)| length).sum::<f64>() / faces().count() as f64;
-        let lengths = lengths.iter().zip(&self.parts);
+        let lengths = lengths.iter().zip(parts);
         let lengths = lengths.map(|(&length, &part)| if part == Part::Gap { mean } else { length });
         Chain::of_lengths(lengths, smoothing, extension)
     }
@@ -169,23 +141,16 @@ impl Itself {
         self.seats[number]
     }
 
-    /// The segments that join the node at a seat to its neighbours.
-    fn beside(&self, seat: usize) -> impl Iterator<Item = usize> {
-        let before = seat.checked_sub(1);
-        let joins = |&part: &usize| self.parts.get(part).is_some_and(|&own| own != Part::Gap);
-        before.into_iter().chain([seat]).filter(joins)
-    }
-
     /// Whether a segment has the node at a seat, or a neighbour of it.
     fn is_neighbour(&self, seat: usize, part: usize) -> bool {
         let ends = [self.numbers[part], self.numbers[part + 1]];
         let near = |place: usize| ends.contains(&self.numbers[place]);
-        near(seat) || self.beside(seat).any(|side| near(side) || near(side + 1))
+        near(seat) || self.undeformed.beside(seat).any(|side| near(side) || near(side + 1))
     }
 
     /// Whether the node at a seat can pass through a segment.
     pub fn stops(&self, seat: usize, part: usize) -> bool {
-        self.parts[part] == Part::Own && !self.is_neighbour(seat, part)
+        self.undeformed.parts[part] == Part::Own && !self.is_neighbour(seat, part)
     }
 
     /// The piece that the node at `seat` slides on at the `positions` of the list, by a tree fitted
@@ -232,7 +197,7 @@ impl Itself {
         (seat, point): (usize, Point),
         part: usize,
     ) -> Option<Candidate> {
-        if self.parts[part] != Part::Own || self.is_neighbour(seat, part) {
+        if self.undeformed.parts[part] != Part::Own || self.is_neighbour(seat, part) {
             return None;
         }
         let mut best: Option<Candidate> = None;
@@ -255,7 +220,7 @@ impl Itself {
 
     /// Whether faces join at the first node of a segment.
     fn is_corner(&self, part: usize) -> bool {
-        part.checked_sub(1).is_some_and(|before| self.parts[before] != Part::Gap)
+        part.checked_sub(1).is_some_and(|before| self.undeformed.parts[before] != Part::Gap)
     }
 
     /// Range of the parameter of a straight part: up to its corners, and beyond an open end.
@@ -263,7 +228,7 @@ impl Itself {
         let end = |is_joined: bool, node: usize| {
             if is_joined { chain.cut(positions, node) } else { -chain.extension }
         };
-        let behind = self.parts.get(part + 1).is_some_and(|&next| next != Part::Gap);
+        let behind = self.undeformed.parts.get(part + 1).is_some_and(|&next| next != Part::Gap);
         (end(self.is_corner(part), part), 1.0 - end(behind, part + 1))
     }
 
@@ -286,12 +251,12 @@ impl Itself {
             let own = along(positions, side);
             dot(own, tangent) < -LOOKS * size(own) * size(tangent)
         };
-        if !self.beside(seat).any(faces) {
+        if !self.undeformed.beside(seat).any(faces) {
             return false;
         }
         let height = cross(tangent, sub(point, foot));
         let stands_free = |segment: usize, height: f64, depth: f64| {
-            height >= 0.0 || self.has_sunk_in(seat, (segment, depth))
+            height >= 0.0 || self.undeformed.has_sunk_in(seat, (segment, depth))
         };
         if !stands_free(part, height, found.distance) {
             return false;
@@ -307,8 +272,9 @@ impl Itself {
         })
     }
 
-    /// The other segment that a piece belongs to: of a corner the first one, of a straight part that is met beyond its end
-    /// the one that joins it there, if one does; one that is repeated at a seam by its own place.
+    /// The other segment that a piece belongs to: of a corner the first one, of a straight part that is
+    /// met beyond its end the one that joins it there, if one does; one that is repeated at a seam by
+    /// its own place.
     fn joined_there(&self, found: &Candidate) -> Option<usize> {
         let part = found.piece.index;
         let other = match found.piece.kind {
@@ -316,7 +282,8 @@ impl Itself {
             PieceKind::Straight if found.piece.parameter >= 0.5 => Some(part + 1),
             _ => part.checked_sub(1),
         };
-        let other = other.filter(|&k| self.parts.get(k).is_some_and(|&own| own != Part::Gap))?;
+        let other =
+            other.filter(|&k| self.undeformed.parts.get(k).is_some_and(|&own| own != Part::Gap))?;
         Some(self.seats[self.numbers[other]])
     }
 
@@ -332,7 +299,7 @@ impl Itself {
             };
             (low - room, high + room, is_closed.then_some(high - low))
         };
-        let runs = self.spans.iter().map(ends);
+        let runs = self.undeformed.spans.iter().map(ends);
         let within = |x: f64, (low, high): (f64, f64)| (low..=high).contains(&x);
         runs.filter(|&(low, high, _)| within(from, (low, high)) && within(to, (low, high)))
             .map(|(_, _, period)| match period {
@@ -345,7 +312,7 @@ impl Itself {
 
     /// A tree of the segments.
     pub fn tree(&self, chain: &Chain, positions: &[[f64; 3]]) -> ChainTree {
-        BoxTree::new(self.parts.len(), |part| self.bounds(chain, positions, part))
+        BoxTree::new(self.undeformed.parts.len(), |part| self.bounds(chain, positions, part))
     }
 
     /// Fits a tree to the positions.
@@ -369,20 +336,11 @@ impl Itself {
     fn bounds(&self, chain: &Chain, positions: &[[f64; 3]], part: usize) -> Bounds<2> {
         let node = flat(positions[part]);
         let before = part.checked_sub(1).filter(|_| self.is_corner(part));
-        let ends = [Some(part + 1).filter(|_| self.parts[part] != Part::Gap), before];
+        let ends = [Some(part + 1).filter(|_| self.undeformed.parts[part] != Part::Gap), before];
         let reach = ends.into_iter().flatten().map(|end| size(sub(flat(positions[end]), node)));
         let reach = (1.0 + chain.extension) * reach.fold(0.0, f64::max);
         (node.map(|x| x - reach), node.map(|x| x + reach))
     }
-}
-
-fn size(way: Point) -> f64 {
-    way[0].hypot(way[1])
-}
-
-/// The segment of that number of a list of places.
-fn along_of(places: &[Point], part: usize) -> Point {
-    sub(places[part + 1], places[part])
 }
 
 fn along(positions: &[[f64; 3]], part: usize) -> Point {

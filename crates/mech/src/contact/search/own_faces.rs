@@ -15,15 +15,15 @@
 mod depth;
 mod inward;
 mod ranks;
-mod sunk;
+mod undeformed;
 
-use super::faces::{self, FacePlace, FaceTree, keep, nearest_of, walk};
-use super::itself::{HERE, INSIDE_OF, LOOKS, STAYS, SUNK};
+use super::faces::{FacePlace, FaceTree, keep, nearest_of, walk};
+use super::itself::{HERE, LOOKS, SUNK};
 use crate::surface::mesh::{FaceMesh, PlacedFace};
 use crate::vector::{Vector, dot, size, sub};
-use depth::depth_behind;
-use ranks::{ranks, stretches};
+use ranks::ranks;
 use std::collections::HashMap;
+use undeformed::Undeformed;
 
 /// Faces about a node that are remembered.
 const MOST: usize = 16;
@@ -33,20 +33,14 @@ const REACH: f64 = 8.0;
 /// What a surface of faces knows of its own parts.
 #[derive(Debug, Clone)]
 pub struct OwnFaces {
-    /// The faces that have a node, of every node.
-    at: Vec<Vec<usize>>,
-    /// Those and all that share a corner with them, in order.
+    /// The surface as it stood before anything moved.
+    undeformed: Undeformed,
+    /// The faces that have a node and all that share a corner with them, in order.
     near: Vec<Vec<usize>>,
     /// Of every node: of two that meet, the lower one is the slave.
     ranks: Vec<usize>,
     /// How far every node looks [L].
     reach: Vec<f64>,
-    /// Undeformed positions of the nodes [L].
-    reference: Vec<Vector>,
-    /// Depth of the part behind every face, undeformed [L]; infinite where nothing ends it.
-    thickness: Vec<f64>,
-    /// The stretch of connected faces of every node, by its first node.
-    stretches: Vec<usize>,
 }
 
 /// How the faces of a surface stand, face by face.
@@ -123,12 +117,8 @@ impl OwnFaces {
         let fineness: Vec<f64> = near.iter().map(|faces| mean(faces)).collect();
         let all = sizes.iter().sum::<f64>() / sizes.len().max(1) as f64;
         let reach = fineness.iter().map(|&own| REACH * own.max(all)).collect();
-        let tree = faces::tree(mesh, reference);
-        let depth = |face: usize| depth_behind((mesh, reference), &tree, (face, sizes[face]));
-        let thickness = (0..mesh.faces().len()).map(depth).collect();
         let ranks = ranks((mesh, reference), &at, &fineness);
-        let stretches = stretches(mesh, &at);
-        Self { at, near, ranks, reach, reference: reference.to_vec(), thickness, stretches }
+        Self { undeformed: Undeformed::new((mesh, reference), at), near, ranks, reach }
     }
 
     /// The same of nodes that stand elsewhere undeformed; nothing is done where they do not.
@@ -137,8 +127,9 @@ impl OwnFaces {
         mesh: &FaceMesh,
         reference: impl ExactSizeIterator<Item = Vector> + Clone,
     ) {
-        let same = reference.len() == self.reference.len()
-            && reference.clone().zip(&self.reference).all(|(new, old)| new == *old);
+        let known = &self.undeformed.reference;
+        let same = reference.len() == known.len()
+            && reference.clone().zip(known).all(|(new, old)| new == *old);
         if !same {
             *self = Self::new(mesh, &reference.collect::<Vec<_>>());
         }
@@ -211,9 +202,9 @@ impl OwnFaces {
 
     fn looking(&self, placed: PlacedOwn<'_>, node: usize) -> Looking {
         let mut normals = [[0.0; 3]; MOST];
-        let own = self.at[node].iter().map(|&face| placed.standing.normals[face]);
+        let own = self.undeformed.at[node].iter().map(|&face| placed.standing.normals[face]);
         let count = normals.iter_mut().zip(own).map(|(into, own)| *into = own).count();
-        let thickness = self.thickness_at(node);
+        let thickness = self.undeformed.thickness_at(node);
         Looking { node, point: placed.positions[node], normals, count, thickness }
     }
 
@@ -236,12 +227,16 @@ impl OwnFaces {
             return f64::INFINITY;
         }
         let depth = dot(normal, sub(standing.middles[face], looking.point));
-        if depth > SUNK * self.thickness[face] {
+        if depth > SUNK * self.undeformed.thickness[face] {
             return f64::INFINITY;
         }
         let nearest = nearest_of(mesh, positions, face, looking.point);
         let may = match depth > 0.0 {
-            true => self.has_sunk_in(mesh, looking.node, (face, depth, nearest.square.sqrt())),
+            true => self.undeformed.has_sunk_in(
+                mesh,
+                looking.node,
+                (face, depth, nearest.square.sqrt()),
+            ),
             false => looking.reaches(normal, nearest.way),
         };
         if may { nearest.square } else { f64::INFINITY }

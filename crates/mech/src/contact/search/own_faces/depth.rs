@@ -8,8 +8,8 @@
 //!
 //! docs/theory.md section 5.12. (derived)
 
-use super::FaceTree;
 use crate::contact::search::INSIDE;
+use crate::contact::search::faces::FaceTree;
 use crate::surface::mesh::FaceMesh;
 use crate::vector::{Vector, add, cross, dot, scale, size, sub};
 

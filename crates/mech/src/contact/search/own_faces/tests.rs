@@ -1,4 +1,5 @@
 use super::*;
+use crate::contact::search::faces;
 use crate::element::cell::QUAD4;
 use crate::surface::mesh::MeshFace;
 use crate::vector::add;
@@ -67,7 +68,11 @@ fn a_part_is_as_deep_as_it_is_thick() {
             (true, false) => 4.0,
             (false, _) => 2.0,
         };
-        assert!((own.thickness[face] - depth).abs() < 1e-12, "{face}: {}", own.thickness[face]);
+        assert!(
+            (own.undeformed.thickness[face] - depth).abs() < 1e-12,
+            "{face}: {}",
+            own.undeformed.thickness[face]
+        );
     }
 }
 
@@ -306,7 +311,7 @@ fn a_cut_part_goes_on() {
     faces.retain(|face| face.nodes.iter().any(|&node| nodes[node][2] != 2.0));
     let mesh = FaceMesh::new(faces, &nodes, false);
     let own = OwnFaces::new(&mesh, &nodes);
-    let cut = |node: &usize| nodes[*node][2] == 2.0 && !own.at[*node].is_empty();
+    let cut = |node: &usize| nodes[*node][2] == 2.0 && !own.undeformed.at[*node].is_empty();
     let mut checked = 0;
     for node in (0..nodes.len()).filter(cut) {
         for (face, other) in mesh.faces().iter().enumerate() {

@@ -1,4 +1,5 @@
-//! What is behind the parts of a surface, and whether a node has sunk in there or stands on the other side of its own part.
+//! A line that meets itself as it stood before anything moved: what is behind its segments, and whether
+//! a node has sunk in there since or stands on the other side of its own part.
 //!
 //! ```text
 //!     _____________
@@ -8,13 +9,78 @@
 //!
 //! docs/theory.md section 5.12. (derived)
 
-use super::{INSIDE_OF, Itself, LOOKS, Part, STAYS, SUNK, Span, along_of, size};
 use crate::contact::search::{Point, cross, dot, sub};
 
-impl Itself {
-    /// Whether the node at a seat that is so deep behind a segment [L] has sunk in there: not where it stood behind it before
-    /// anything moved and has come no nearer since, nor from inside their own part; where the way there led through that at the start, as
-    /// from the side of a strip to its end, no deeper than either side is thick.
+/// Cosine by which two faces must look at one another: faces at a right angle, as exactly as a deck
+/// gives them, do not [1].
+pub(in crate::contact::search) const LOOKS: f64 = 0.01;
+/// Part of the thickness that a node may have sunk in [1].
+pub(in crate::contact::search) const SUNK: f64 = 0.5;
+/// What was back to back at the start within this many thicknesses is a part's own inside [1].
+pub(in crate::contact::search) const INSIDE_OF: f64 = 2.5;
+/// Part of its first distance from a face behind which it stood up to which a node has stayed there
+/// [1]. (choice)
+pub(in crate::contact::search) const STAYS: f64 = 0.5;
+
+/// What a place of the list of segments is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Part {
+    /// A face of the surface.
+    Own,
+    /// A repeated face at the seam of a closed run: a neighbour, never met.
+    Repeated,
+    /// Nothing: one run ends and the next begins.
+    Gap,
+}
+
+/// First and last face of a run in the list.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Span {
+    pub(super) first: usize,
+    pub(super) last: usize,
+    pub(super) is_closed: bool,
+}
+
+/// The list of segments before anything moved.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Undeformed {
+    /// What every segment is.
+    pub(super) parts: Vec<Part>,
+    /// The faces of every run.
+    pub(super) spans: Vec<Span>,
+    /// The places of the list [L].
+    pub(super) reference: Vec<Point>,
+    /// Depth of the part behind every segment [L]; infinite where none ends it.
+    thickness: Vec<f64>,
+}
+
+impl Undeformed {
+    /// Segments and runs whose list of places is `reference` [L].
+    pub(super) fn new(parts: Vec<Part>, spans: Vec<Span>, reference: Vec<Point>) -> Self {
+        let mut own = Self { parts, spans, reference, thickness: Vec::new() };
+        own.thickness = (0..own.parts.len()).map(|part| own.depth_behind(part)).collect();
+        own
+    }
+
+    /// The segments that join the node at a seat to its neighbours.
+    pub(super) fn beside(&self, seat: usize) -> impl Iterator<Item = usize> {
+        let before = seat.checked_sub(1);
+        let joins = |&part: &usize| self.parts.get(part).is_some_and(|&own| own != Part::Gap);
+        before.into_iter().chain([seat]).filter(joins)
+    }
+
+    /// Angle by which the surface turns at a seat, to the left, where the outside is: an
+    /// edge that stands out is negative, a valley positive; zero at an end [rad].
+    pub(super) fn turn(&self, seat: usize) -> f64 {
+        let mut sides = self.beside(seat).map(|side| along_of(&self.reference, side));
+        let (Some(before), Some(behind)) = (sides.next(), sides.next()) else { return 0.0 };
+        cross(before, behind).atan2(dot(before, behind))
+    }
+
+    /// Whether the node at a seat that is so deep behind a segment [L] has sunk in there: not where it
+    /// stood behind it before anything moved and has come no nearer since, nor from inside their own
+    /// part; where the way there led through that at the start, as from the side of a strip to its
+    /// end, no deeper than either side is thick.
     pub(super) fn has_sunk_in(&self, seat: usize, (part, depth): (usize, f64)) -> bool {
         let most = SUNK * self.thickness[part];
         if depth > most {
@@ -52,16 +118,16 @@ impl Itself {
         sub([a[0] + at * edge[0], a[1] + at * edge[1]], from)
     }
 
-    /// Whether the way from the node at a seat to the middle of a segment of the same line led into the part at the
-    /// start, and out of it there.
+    /// Whether the way from the node at a seat to the middle of a segment of the same line led into the
+    /// part at the start, and out of it there.
     fn leads_through(&self, seat: usize, part: usize) -> bool {
         let (from, a, b) = (self.reference[seat], self.reference[part], self.reference[part + 1]);
         let way = sub([0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])], from);
         self.is_one_line(seat, part) && self.leads_in(seat, way) && cross(sub(b, a), way) > 0.0
     }
 
-    /// Depth of the part behind the faces of a seat that look at a segment, undeformed, of both where
-    /// neither does [L]: a web may be thin one way and wide the other.
+    /// Depth of the part behind the faces of a seat that look at a segment, of both where neither
+    /// does [L]: a web may be thin one way and wide the other.
     fn thickness_towards(&self, seat: usize, part: usize) -> f64 {
         let along = |side: usize| {
             let edge = along_of(&self.reference, side);
@@ -75,8 +141,8 @@ impl Itself {
         least(looking).or_else(|| least(&mut self.beside(seat))).unwrap_or(f64::INFINITY)
     }
 
-    /// Whether a way from the undeformed node at a seat leads into the part: behind a valley is what is behind
-    /// one of both faces, elsewhere what is behind both.
+    /// Whether a way from the undeformed node at a seat leads into the part: behind a valley is what is
+    /// behind one of both faces, elsewhere what is behind both.
     fn leads_in(&self, seat: usize, way: Point) -> bool {
         let edges = self.beside(seat).map(|side| along_of(&self.reference, side));
         let mut enters = edges.map(|edge| cross(edge, way) <= 0.0);
@@ -87,8 +153,8 @@ impl Itself {
     }
 
     /// How far the straight way inward from the middle of a segment leads to the next one that
-    /// ends its part, undeformed [L].
-    pub(super) fn depth_behind(&self, part: usize) -> f64 {
+    /// ends its part [L].
+    fn depth_behind(&self, part: usize) -> f64 {
         let (a, b) = (self.reference[part], self.reference[part + 1]);
         let edge = sub(b, a);
         let (middle, inward) = ([0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])], [edge[1], -edge[0]]);
@@ -104,4 +170,14 @@ impl Itself {
         });
         depths.fold(f64::INFINITY, f64::min)
     }
+}
+
+/// Length of a way [L].
+pub(super) fn size(way: Point) -> f64 {
+    way[0].hypot(way[1])
+}
+
+/// The segment of that number of a list of places.
+pub(super) fn along_of(places: &[Point], part: usize) -> Point {
+    sub(places[part + 1], places[part])
 }

@@ -1,4 +1,5 @@
-//! Whether a node of a surface that meets itself has sunk in behind a face, or stands on the other side of its own part.
+//! A surface that meets itself as it stood before anything moved: whether a node has sunk in behind a
+//! face since, or stands on the other side of its own part.
 //!
 //! ```text
 //!           ____
@@ -9,13 +10,40 @@
 //!
 //! docs/theory.md section 5.12. (derived)
 
+use super::depth::depth_behind;
 use super::inward::leads_in;
-use super::{INSIDE_OF, LOOKS, OwnFaces, STAYS, SUNK, nearest_of};
+use super::ranks::stretches;
+use crate::contact::search::faces::{self, nearest_of};
+use crate::contact::search::itself::{INSIDE_OF, LOOKS, STAYS, SUNK};
 use crate::surface::mesh::FaceMesh;
 use crate::vector::{Vector, dot, sub};
 
-impl OwnFaces {
-    /// Depth of the part at a node, undeformed: the least of the faces about it [L].
+/// What a surface of faces was before anything moved.
+#[derive(Debug, Clone)]
+pub(super) struct Undeformed {
+    /// The faces that have a node, of every node.
+    pub(super) at: Vec<Vec<usize>>,
+    /// Positions of the nodes [L].
+    pub(super) reference: Vec<Vector>,
+    /// Depth of the part behind every face [L]; infinite where nothing ends it.
+    pub(super) thickness: Vec<f64>,
+    /// The stretch of connected faces of every node, by its first node.
+    stretches: Vec<usize>,
+}
+
+impl Undeformed {
+    /// The surface of faces whose nodes stand at `reference` [L], with the faces at every node.
+    pub(super) fn new((mesh, reference): (&FaceMesh, &[Vector]), at: Vec<Vec<usize>>) -> Self {
+        let tree = faces::tree(mesh, reference);
+        let depth = |face: usize| {
+            depth_behind((mesh, reference), &tree, (face, mesh.size(face, reference)))
+        };
+        let thickness = (0..mesh.faces().len()).map(depth).collect();
+        let stretches = stretches(mesh, &at);
+        Self { at, reference: reference.to_vec(), thickness, stretches }
+    }
+
+    /// Depth of the part at a node: the least of the faces about it [L].
     pub(super) fn thickness_at(&self, node: usize) -> f64 {
         let own = self.at[node].iter().map(|&face| self.thickness[face]);
         own.fold(f64::INFINITY, f64::min)
@@ -29,10 +57,11 @@ impl OwnFaces {
         own.reduce(f64::min).unwrap_or_else(|| self.thickness_at(node))
     }
 
-    /// Whether a node that is so deep behind a face and so far from it [L] has sunk in there. It has not where their own part was
-    /// between them at the start, and they were back to back or the node is deeper than half of what is behind its own
-    /// faces, as from the foot of a hook to its end; nor where it stood behind the face of its part before anything moved, as
-    /// beside another limb, and has come no nearer since.
+    /// Whether a node that is so deep behind a face and so far from it [L] has sunk in there. It has
+    /// not where their own part was between them at the start, and they were back to back or the node
+    /// is deeper than half of what is behind its own faces, as from the foot of a hook to its end; nor
+    /// where it stood behind the face of its part before anything moved, as beside another limb, and
+    /// has come no nearer since.
     pub(super) fn has_sunk_in(
         &self,
         mesh: &FaceMesh,
