@@ -14,7 +14,7 @@ use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::Formulation;
 
 use super::lines_left_out::note_lines;
-use super::loops::outlines;
+use super::loops::within_reach;
 use super::meetings::{Meeting, Parted, Side, outside, part, sides};
 use super::own_contact::Alone;
 use super::skin::{Patch, Skin};
@@ -197,15 +197,16 @@ impl Made<'_> {
     ) {
         let (turned, why) = roles(&meeting.whole, skin, draft);
         let ([slave, master], left_out) = meeting.between(turned, skin);
-        let masters = match &master {
-            Side::Faces(patch) if !draft.model.is_in_space() => {
-                outlines(patch, skin).into_iter().map(Side::Faces).collect()
+        let both = match (slave, master) {
+            (Side::Faces(slave), Side::Faces(master)) if !draft.model.is_in_space() => {
+                let both = within_reach((&slave, &master), skin, draft).into_iter();
+                both.map(|(slave, master)| (Side::Faces(slave), Side::Faces(master))).collect()
             }
-            _ => vec![master],
+            both => vec![both],
         };
         let interaction = interaction.unwrap_or_else(|| self.plain(draft));
-        let known = self.surface(slave.clone(), skin, draft);
-        for master in masters {
+        for (slave, master) in both {
+            let known = self.surface(slave.clone(), skin, draft);
             let master = self.surface(master, skin, draft);
             // lines of properties give the same slaves and the same whole master more than once
             let is_new = self.pairs.insert([known.name.clone(), master.name.clone()]);

@@ -13,6 +13,7 @@ use slideline_model::{ContactElement, Formulation, NodeIndex, SlideLine};
 
 use super::chain::{Broken, Chain, Facet, Travel};
 use super::facing::places;
+use super::hollows::{Outlines, joined};
 use super::one_node::is_at;
 use crate::crossing::crossing;
 use crate::draft::Draft;
@@ -26,7 +27,8 @@ pub(super) fn slide_line(
     (facets, slaves): (&[Facet], &[ContactElement]),
     draft: &mut Draft,
 ) -> Option<SlideLine> {
-    let mut whole = one_face_each(pairing, facets, draft)?;
+    let whole = one_face_each(pairing, facets, draft)?;
+    let mut whole = within_reach(whole, slaves, draft);
     if let Err(broken @ Broken::Apart(_)) = Chain::find(&whole) {
         let said = of_no_chain(pairing, (surface, &whole), broken, draft);
         join(&mut whole, &said, draft);
@@ -73,6 +75,31 @@ pub(super) fn slide_line(
         }
     }
     Some(drawn(chain.nodes, &middles, pairing, surface))
+}
+
+/// The faces that something may meet: not the walls of hollows in which nothing stands, nor what is outside
+/// a hollow in which all does.
+fn within_reach(facets: Vec<Facet>, slaves: &[ContactElement], draft: &Draft) -> Vec<Facet> {
+    let nodes = &draft.model.nodes;
+    let ends: Vec<_> = facets.iter().map(|facet| facet.nodes).collect();
+    let pieces = joined(&ends);
+    let piece = |own: &Vec<usize>| {
+        let of_solids = own.iter().all(|&face| facets[face].face.is_some());
+        (own.iter().map(|&face| ends[face]).collect(), of_solids)
+    };
+    let outlines = Outlines::new(&pieces.iter().map(piece).collect::<Vec<_>>(), nodes);
+    let places: Vec<_> = slaves.iter().map(|own| own.nodes).collect();
+    let mut met = vec![false; pieces.len()];
+    for own in joined(&places) {
+        let own: Vec<NodeIndex> = own.into_iter().flat_map(|place| places[place]).collect();
+        met.iter_mut().zip(outlines.met_by(&own, nodes)).for_each(|(met, may)| *met |= may);
+    }
+    let mut kept = vec![false; facets.len()];
+    let all = pieces.iter().zip(met).filter(|(_, met)| *met);
+    all.flat_map(|(piece, _)| piece).for_each(|&face| kept[face] = true);
+    let faces = facets.iter().zip(&kept).filter(|(_, kept)| **kept).map(|(face, _)| *face);
+    let faces: Vec<Facet> = faces.collect();
+    if faces.is_empty() { facets } else { faces }
 }
 
 /// The line of these nodes as its pair draws it.

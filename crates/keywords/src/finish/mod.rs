@@ -25,6 +25,7 @@ mod frictions;
 mod gaps;
 mod general_contact;
 mod half_thickness;
+mod hollows;
 mod in_space;
 mod initial_stresses;
 mod inner_faces;

@@ -7,6 +7,7 @@
 //!  =======    =======     =======        (o)
 //! ```
 
+use super::cells::{apart, pressed};
 use super::choices::{increments, kinds, laws, material, stiffness};
 use super::draft::{Disc, Draft, Material, Pair, Step, Surface, World};
 use super::mesh::{Kind, PLANE_STRAIN, PLANE_STRESS, Part, RINGS};
@@ -24,7 +25,7 @@ pub struct Class {
 }
 
 /// All classes.
-pub const CLASSES: [Class; 10] = [
+pub const CLASSES: [Class; 12] = [
     Class { name: "blocks", draw: |s| blocks(World::Plane, s) },
     Class { name: "crowned", draw: |s| crowned(World::Plane, s) },
     Class { name: "crossing", draw: |s| crossing(World::Plane, s) },
@@ -35,6 +36,8 @@ pub const CLASSES: [Class; 10] = [
     Class { name: "space", draw: |s| blocks(World::Space, s) },
     Class { name: "touching", draw: touching },
     Class { name: "domes", draw: |s| crowned(World::Space, s) },
+    Class { name: "apart", draw: apart },
+    Class { name: "stepped", draw: pressed },
 ];
 
 /// A side of a body from which the other one lies up or down.

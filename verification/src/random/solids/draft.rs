@@ -98,6 +98,8 @@ pub struct Draft {
     pub general: bool,
     /// Whether it may be turned by right angles although not all that is held is held along all axes.
     pub quarter: bool,
+    /// Whether the parts never meet: no contact may carry anything.
+    pub apart: bool,
     /// The least force that must act at the end; zero: none need.
     pub least_force: f64,
     /// Law of pressure.
@@ -123,6 +125,7 @@ impl Draft {
             skins: Skins::Facing,
             general: false,
             quarter: false,
+            apart: false,
             least_force: 0.0,
             normal: Normal::Hard,
             friction: Friction { mu: 0.0, stick: Stick::Default },

@@ -189,6 +189,9 @@ pub fn violations(case: &Case, files: &Files) -> Vec<(&'static str, String)> {
         if let Some(why) = part_balance(&case.draft, state, peak) {
             add("part", place(why));
         }
+        if let Some(why) = touches(&case.draft, state) {
+            add("touches", place(why));
+        }
         if state.pair_imbalance > 1e-9 {
             add("pair", place(format!("imbalance {:.1e}", state.pair_imbalance)));
         }
@@ -211,6 +214,12 @@ pub fn violations(case: &Case, files: &Files) -> Vec<(&'static str, String)> {
         add("energy", format!("{:.1} % of it is missing", 100.0 * missing));
     }
     found
+}
+
+/// A point that carries something though the parts never meet.
+fn touches(draft: &Draft, state: &State) -> Option<String> {
+    let point = state.points.iter().find(|point| draft.apart && point.pressure != 0.0)?;
+    Some(format!("node {} has p = {:.1e}", point.node, point.pressure))
 }
 
 /// What is missing of the energy, at worst, in all that was turned over.

@@ -1,4 +1,4 @@
-//! Blocks of solid elements on a lattice, bent to shape by a map.
+//! Parts of solid elements on a lattice, bent to shape by a map.
 //!
 //! ```text
 //!   lattice of 2 n intervals -> cells (quads, triangles, bricks, wedges, tetrahedra)
@@ -188,11 +188,11 @@ pub struct Part {
     pub cells: Vec<Vec<usize>>,
     /// Place of a node in the lattice.
     lattice: HashMap<[usize; 3], usize>,
-    /// Intervals of the lattice along each axis.
-    ends: [usize; 3],
+    /// First and last place of the lattice along each axis.
+    ends: [[usize; 2]; 3],
 }
 
-/// A side of a block: axis, and whether it is the far one.
+/// A side of a part: axis, and whether it is the far one.
 pub type SideOf = (usize, bool);
 
 impl Part {
@@ -204,19 +204,30 @@ impl Part {
         map: impl Fn([f64; 3]) -> [f64; 3],
     ) -> Self {
         let deep = if kind.shape.in_space() { counts[2] } else { 1 };
-        let ends = counts.map(|count| 2 * count);
-        let mut part = Self { kind, cells: Vec::new(), lattice: HashMap::new(), ends };
+        let places = (0..deep)
+            .flat_map(|c| (0..counts[1]).flat_map(move |b| (0..counts[0]).map(move |a| [a, b, c])));
+        let unit = |at: [f64; 3]| map([0, 1, 2].map(|k| at[k] / counts[k].max(1) as f64));
+        Self::of(kind, places, nodes, unit)
+    }
+
+    /// Cells at these places of the lattice, nodes and all; `map` takes the lattice, on which a cell is
+    /// one wide, to its place.
+    pub fn of(
+        kind: Kind,
+        places: impl Iterator<Item = [usize; 3]>,
+        nodes: &mut Vec<[f64; 3]>,
+        map: impl Fn([f64; 3]) -> [f64; 3],
+    ) -> Self {
+        let (cells, lattice) = (Vec::new(), HashMap::new());
+        let mut part = Self { kind, cells, lattice, ends: [[usize::MAX, 0]; 3] };
         let patterns = kind.shape.cells();
-        for c in 0..deep {
-            for b in 0..counts[1] {
-                for a in 0..counts[0] {
-                    for pattern in &patterns {
-                        let corners = pattern
-                            .iter()
-                            .map(|&[x, y, z]| [2 * (a + x), 2 * (b + y), 2 * (c + z)]);
-                        part.cell(&corners.collect::<Vec<_>>(), nodes, &map);
-                    }
-                }
+        for place in places {
+            for (ends, at) in part.ends.iter_mut().zip(place) {
+                *ends = [ends[0].min(2 * at), ends[1].max(2 * at + 2)];
+            }
+            for pattern in &patterns {
+                let corners = pattern.iter().map(|at| [0, 1, 2].map(|k| 2 * (place[k] + at[k])));
+                part.cell(&corners.collect::<Vec<_>>(), nodes, &map);
             }
         }
         part
@@ -231,10 +242,9 @@ impl Part {
         let edges = if self.kind.quadratic { self.kind.shape.edges() } else { &[] };
         let middle = |[a, b]: [usize; 2]| [0, 1, 2].map(|k| (corners[a][k] + corners[b][k]) / 2);
         let places = corners.iter().copied().chain(edges.iter().map(|&edge| middle(edge)));
-        let ends = self.ends;
         let cell = places.map(|at| {
             *self.lattice.entry(at).or_insert_with(|| {
-                nodes.push(map([0, 1, 2].map(|k| at[k] as f64 / ends[k].max(1) as f64)));
+                nodes.push(map(at.map(|twice| 0.5 * twice as f64)));
                 nodes.len() - 1
             })
         });
@@ -242,7 +252,7 @@ impl Part {
     }
 
     fn lies_on(&self, at: [usize; 3], (axis, far): SideOf) -> bool {
-        at[axis] == if far { self.ends[axis] } else { 0 }
+        at[axis] == self.ends[axis][usize::from(far)]
     }
 
     /// Nodes of a side.

@@ -6,6 +6,7 @@
 //! ```
 
 mod case;
+mod cells;
 mod choices;
 mod classes;
 mod depth;

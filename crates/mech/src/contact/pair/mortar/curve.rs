@@ -137,34 +137,38 @@ impl<R: Real> Curve<R> {
     }
 }
 
-/// Most iterations towards the place on a line.
-const MOST: usize = 40;
+/// Parameters about a curve within which a line is said to cross it [1].
+const ABOUT: std::ops::RangeInclusive<f64> = -1.0..=2.0;
 
 impl Curve<f64> {
-    /// The parameter of the place on the line through the origin.
+    /// The parameter of the place on the line through the origin: of both where a bent curve comes back
+    /// over the line, the one at which it passes to the side of its last point.
+    ///
+    /// ```text
+    ///          |  .--o first      |a|, |b|, |c|: how far the control points are off the line
+    ///        x( `                 (1 - t)^2 a + 2 t (1 - t) w b + t^2 c = 0
+    ///       `  |
+    ///   o---`  x this one         where a and c lie on both sides it is the one between them
+    ///   last   |
+    /// ```
+    ///
+    /// docs/theory.md eq. (5.20). (derived)
     fn crossed_by_value(&self, direction: Place<f64>) -> Option<f64> {
-        let chord = sub(self.end(1), self.end(0));
-        let along = cross(chord, direction);
-        let mut t = -cross(self.end(0), direction) / along;
-        if self.count == 2 || !t.is_finite() {
-            return t.is_finite().then_some(t);
-        }
-        t = t.clamp(0.0, 1.0);
-        for _ in 0..MOST {
-            let own = self.shapes(t);
-            let off = cross(self.blend(&own.value), direction);
-            let step = off / cross(self.blend(&own.slope), direction);
-            // no further than about the curve
-            let next = (t - step).clamp(-1.0, 2.0);
-            let moved = (next - t).abs();
-            t = next;
-            if moved <= 4.0 * f64::EPSILON {
-                return Some(t);
+        let off = |control: usize| cross(self.controls[control], direction);
+        let (first, last) = (off(0), off(self.count - 1));
+        let found = if self.count == 2 {
+            first / (first - last)
+        } else {
+            let middle = self.weight * off(1);
+            let begins = middle - first;
+            let root = (middle * middle - first * last).sqrt().copysign(last - first);
+            // of two forms of the same root the one that does not lose digits
+            match begins * root < 0.0 {
+                true => (root - begins) / (last - middle - begins),
+                false => -first / (begins + root),
             }
-        }
-        let own = self.shapes(t);
-        let off = cross(self.blend(&own.value), direction).abs();
-        (off <= 1e-10 * along.abs()).then_some(t)
+        };
+        ABOUT.contains(&found).then_some(found)
     }
 }
 
@@ -186,6 +190,27 @@ mod tests {
         for (count, weight) in [(2, 1.0), (3, 1.0), (3, 0.9375)] {
             let near = crossed(0.0, count, weight);
             assert_eq!(crossed(1_048_576.0, count, weight), near, "{count} {weight}");
+        }
+    }
+
+    /// Requirement: a line between the ends of a bent face crosses it between them, however the face bends
+    /// and however steeply the line meets it. One that comes back over the line near an end was not crossed, or beyond
+    /// its end.
+    #[test]
+    fn a_line_between_the_ends_crosses_between_them() {
+        for (weight, bend) in [(1.0, 0.3), (1.0, -0.3), (0.75, 0.6), (0.9, -0.6)] {
+            let controls = [[0.0, 0.0], [0.5, bend], [1.0, 0.0]];
+            let curve = Curve { controls, count: 3, weight };
+            for lean in -8..=8 {
+                let direction = [f64::from(lean), -1.0];
+                for part in 1..16 {
+                    let from = [f64::from(part) / 16.0 - 3.0 * direction[0], 3.0];
+                    let t = curve.crossed(from, direction).unwrap();
+                    let off = cross(sub(curve.blend(&curve.shapes(t).value), from), direction);
+                    assert!((0.0..=1.0).contains(&t), "{weight} {bend} {lean} {part}: {t}");
+                    assert!(off.abs() < 1e-13, "{weight} {bend} {lean} {part}: off by {off}");
+                }
+            }
         }
     }
 }
