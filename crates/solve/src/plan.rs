@@ -19,10 +19,12 @@ pub use outline::{Part, PlanMismatch};
 use crate::constraints::ConstraintNumbering;
 use crate::contact::Contact;
 use crate::dofs::DofMap;
+use crate::restraint::Restraint;
+use crate::restraint::loose::LooseBody;
 use crate::structure::ElementNumbering;
 use crate::users::UserFrictions;
 use outline::Outline;
-use slideline_model::Model;
+use slideline_model::{Model, Step};
 use std::ops::Deref;
 use std::sync::Arc;
 
@@ -49,6 +51,8 @@ pub struct Numbering {
     pub of_step: Vec<usize>,
     /// Whether each element is absent, of every step; empty where none is.
     pub absent: Vec<Vec<bool>>,
+    /// Bodies that contact alone holds, of every step.
+    pub loose: Vec<Vec<LooseBody>>,
 }
 
 /// What steps with the same unknowns share.
@@ -75,6 +79,14 @@ impl Plan {
                 constraints.push(own);
             }
         }
+        let loose = |(step, &own): (&Step, &usize)| {
+            let unknown: &[usize] = &constraints[own].dof_of_equation;
+            match model.contact_pairs.is_empty() {
+                true => Vec::new(),
+                false => Restraint::of(model, step).loose_bodies((model, step), (&dofs, unknown)),
+            }
+        };
+        let loose = model.steps.iter().zip(&of_step).map(loose).collect();
         let elements = constraints.first().map(|own| ElementNumbering::new(model, &dofs, own));
         let elements = elements.unwrap_or_default();
         // which unknowns contact couples does not depend on its laws
@@ -90,6 +102,7 @@ impl Plan {
             outline: Outline::of(model),
             absent: model.steps.iter().map(|own| elements.absent(&own.presence.absent)).collect(),
             elastic: elements.touched(dofs.len()),
+            loose,
             dofs,
             elements,
             sizes: [contact.points.len(), contact.state_size, model.element_states()],

@@ -1,7 +1,9 @@
 //! The first guess of an increment.
 
 use crate::problem::Problem;
-use crate::state::State;
+use crate::restraint::loose::Stand;
+use crate::stabilise;
+use crate::state::{PointState, State};
 use slideline_model::Extrapolation;
 
 /// Adds to `u` what the unknowns did in the last increments, scaled with
@@ -22,4 +24,25 @@ pub fn extrapolate(plan: &Problem<'_>, committed: &State, dt: f64, u: &mut [f64]
             u[dof] += bend * dt * (dt + last);
         }
     }
+    let_go(plan, (committed, &committed.points), u);
+}
+
+/// Leaves bodies that contact alone would hold where they are, if it does not touch them in a state: they had been
+/// pushed, and would fly on. Whether there are such.
+pub fn let_go(
+    plan: &Problem<'_>,
+    (committed, now): (&State, &[PointState]),
+    u: &mut [f64],
+) -> bool {
+    let mut some = false;
+    if !plan.loose.is_empty() && stabilise::settings(plan, committed).is_none() {
+        let from = &committed.displacement[..];
+        for body in plan.loose {
+            if !body.is_touched(plan.contact, (&committed.points, now), (from, u)) {
+                body.stay(Stand { model: plan.model, dofs: plan.dofs, u: from }, u);
+                some = true;
+            }
+        }
+    }
+    some
 }

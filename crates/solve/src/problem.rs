@@ -14,6 +14,7 @@ use crate::linear_systems::LinearSystems;
 use crate::linearised::LinearRows;
 use crate::loads::FaceLoads;
 use crate::plan::{Coupling, Numbering};
+use crate::restraint::loose::LooseBody;
 use crate::start::Start;
 use crate::structure::{Gather, Structure};
 use crate::values::Values;
@@ -54,6 +55,8 @@ pub struct Problem<'a> {
     pub near: &'a [Candidates],
     /// Dofs that belong to elements.
     pub elastic: &'a [bool],
+    /// Bodies that contact alone holds.
+    pub loose: &'a [LooseBody],
     /// Largest coordinate of the model [L].
     pub reach: f64,
     /// Length of the stiffest element, or else of the model [L].
@@ -129,6 +132,7 @@ impl<'a> Problem<'a> {
             pattern: &coupling.pattern,
             near: &coupling.near,
             elastic: &plan.elastic,
+            loose: &plan.loose[index],
             reach: values.reach,
             lever: values.lever,
             units: &values.units[numbered],

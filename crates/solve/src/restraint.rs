@@ -11,6 +11,7 @@
 //! structure has reached a limit of its strength, or numbers one of theirs.
 
 mod bodies;
+pub mod loose;
 mod rigid_motions;
 mod ties;
 pub mod unopposed;
@@ -168,6 +169,14 @@ impl Restraint {
     /// A rigid motion that is left to some body; `None`: all are held.
     pub fn left(&mut self, model: &Model) -> Option<RigidMotion> {
         self.roots().into_iter().find_map(|root| self.left_to(model, root))
+    }
+
+    /// Whether a spring or a gap between two nodes holds on to one of the body of a root. What holds on to ground is a
+    /// support.
+    fn is_sprung(&mut self, model: &Model, step: &Step, root: NodeIndex) -> bool {
+        let loose = step.presence.elements(&model.blocks).filter(|(block, _)| !block.kind.joins());
+        let mut between = loose.map(|(_, own)| own.nodes).filter(|nodes| nodes.len() > 1).flatten();
+        between.any(|&node| self.bodies.root(node) == root)
     }
 
     /// Whether some body keeps a rigid motion.

@@ -13,7 +13,7 @@
 use super::edges::{MeshFace, SHARP, edge, faces_around, neighbours, normal};
 use super::patch::MOST_CORNERS;
 use crate::vector::{Vector, dot, size, sub};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// Turn from which on an edge may be lone [rad]: 20 degrees. (choice)
 const LEAST: f64 = 20.0 * std::f64::consts::PI / 180.0;
@@ -42,6 +42,26 @@ pub fn lone_edges(faces: &[MeshFace], position: impl Fn(usize) -> Vector) -> Vec
         turn.is_some_and(|turn| is_lone(turn, turning.beside(face, k)))
     });
     lone.map(|(face, k)| edge(&faces[face], k)).collect()
+}
+
+/// Middle nodes of edges between faces that stand out, sharp ones and lone ones; `position` gives undeformed positions of
+/// nodes [L].
+pub fn middles_of_edges(
+    faces: &[MeshFace],
+    position: impl Fn(usize) -> Vector + Copy,
+) -> Vec<usize> {
+    let turning = Turning::new(faces, position);
+    let lone: HashSet<[usize; 2]> = lone_edges(faces, position).into_iter().collect();
+    let middle = |(place, face): (usize, &MeshFace)| {
+        let corners = face.cell.faces.len();
+        let own = (0..corners).filter_map(|k| Some((k, *face.nodes.get(corners + k)?)));
+        let stands_out = |k: usize| {
+            let is_sharp = turning.turn(place, k).is_some_and(|turn| turn > SHARP.acos());
+            is_sharp || lone.contains(&edge(face, k))
+        };
+        own.filter(|(k, _)| stands_out(*k)).map(|(_, node)| node).collect::<Vec<_>>()
+    };
+    faces.iter().enumerate().flat_map(middle).collect()
 }
 
 /// How faces turn at their edges.

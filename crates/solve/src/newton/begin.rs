@@ -63,10 +63,19 @@ impl Scratch {
         self.first_stresses(plan, committed, target.dt);
         look_at(plan, committed, &mut self.evaluation);
         self.evaluate(plan, committed, target.dt);
+        if committed.increment_time.0 > 0.0 && self.lets_go(plan, committed) {
+            self.evaluate(plan, committed, target.dt);
+        }
         if self.evaluation.failed.is_some() && committed.increment_time.0 > 0.0 {
             self.begin_at_rest(plan, committed, target);
         }
         self.iteration_history.begin(&self.evaluation.points);
+    }
+
+    /// Leaves bodies where they are that the first guess takes out of contact, and that nothing else holds.
+    fn lets_go(&mut self, plan: &Problem<'_>, committed: &State) -> bool {
+        let now = (committed, &self.evaluation.points[..]);
+        predict::let_go(plan, now, &mut self.u)
     }
 
     /// Where the last increment cannot be repeated, for an element would fail: a first guess

@@ -5,6 +5,7 @@ use super::scratch::{Scratch, solver};
 use crate::evaluate::Evaluation;
 use crate::linearised::Stiffness;
 use crate::problem::Problem;
+use crate::restraint::loose::Stand;
 use crate::state::State;
 use slideline_linalg::SolveError;
 use slideline_mech::contact::enforcement::Enforcement;
@@ -111,6 +112,7 @@ impl Scratch {
             }
             self.evaluate(plan, committed, dt);
         }
+        self.rest_loose(plan, committed);
         self.stay_near(plan)?;
         if self.outside() {
             return Ok(());
@@ -130,6 +132,49 @@ impl Scratch {
             }
         }
         Ok(())
+    }
+
+    /// Lets bodies rest along motions that neither supports nor what presses on them oppose, but for what takes them out of what
+    /// they touch: the equations do not tell where they are, and rounding would move them.
+    fn rest_loose(&mut self, plan: &Problem<'_>, committed: &State) {
+        if plan.loose.is_empty() || !self.dashpots.is_empty() || self.outside() {
+            return;
+        }
+        let floor = self.floors(plan, committed)[0];
+        let Self { evaluation, points, correction, u, .. } = self;
+        let stand = Stand { model: plan.model, dofs: plan.dofs, u };
+        let pair_of = |place: usize| plan.contact.parent(plan.contact.points[place].pair);
+        for body in plan.loose {
+            let own = || points.iter().filter(|own| body.belongs_to(pair_of(own.place)));
+            let mut free = body.place(stand);
+            for own in own().filter(|own| own.pressure != 0.0) {
+                let rows = evaluation.kinematics.at(own.place).rows;
+                free.oppose(rows.unknowns, rows.normal());
+                let laws = plan.contact.laws_of(pair_of(own.place), &committed.points[own.place]);
+                let slips = if laws.has_friction() { rows.directions() } else { 0 };
+                (0..slips).for_each(|k| free.oppose(rows.unknowns, rows.slip(k)));
+            }
+            let Some(moves) = free.part_in(correction, (|dof| evaluation.structure[dof], floor))
+            else {
+                continue;
+            };
+            // as much of it as takes the body out of what it stands in
+            let mut kept = 0.0_f64;
+            for own in own().filter(|own| own.pressure == 0.0) {
+                let now = evaluation.kinematics.at(own.place);
+                let (dofs, row) = (now.rows.unknowns, now.rows.normal());
+                let of = |(&dof, &factor): (&usize, &f64)| {
+                    plan.constraints.equation(dof).map_or(0.0, |own| factor * correction[own])
+                };
+                let all: f64 = dofs.iter().zip(row).map(of).sum();
+                let by_it = free.seen_by(&moves, (dofs, row));
+                let left = now.overclosure + all - by_it;
+                if now.faces && left > 0.0 && by_it < 0.0 {
+                    kept = kept.max(-left / by_it);
+                }
+            }
+            free.take(&moves, 1.0 - kept.min(1.0), correction);
+        }
     }
 
     /// Takes a system of parts in contact whose correction throws a node far out of the model for

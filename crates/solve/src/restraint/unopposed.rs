@@ -131,12 +131,4 @@ impl Restraint {
         }
         is_met.then_some(rows)
     }
-
-    /// Whether a spring or a gap between two nodes holds on to one of the body of a root. What holds on to ground is a
-    /// support.
-    fn is_sprung(&mut self, model: &Model, step: &Step, root: NodeIndex) -> bool {
-        let loose = step.presence.elements(&model.blocks).filter(|(block, _)| !block.kind.joins());
-        let mut between = loose.map(|(_, own)| own.nodes).filter(|nodes| nodes.len() > 1).flatten();
-        between.any(|&node| self.bodies.root(node) == root)
-    }
 }

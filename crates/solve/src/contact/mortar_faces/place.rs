@@ -12,6 +12,9 @@ use slideline_mech::contact::search::faces::{FaceTree, bounds, tree};
 use slideline_mech::surface::mesh::FaceMesh;
 use slideline_mech::vector::{Vector, add, scale, sub};
 
+/// Part of a face that must be covered for any contact on it [1]: the gap of less, as where an end just comes in, is rounding.
+const LEAST: f64 = 1e-6;
+
 /// A slave face in a configuration.
 #[derive(Clone, Debug)]
 pub struct FaceState {
@@ -80,6 +83,12 @@ impl FaceState {
             kept += 1;
         }
         self.overlaps.truncate(kept);
+        let whole: f64 = self.places.corner_areas(&own.measure).iter().sum();
+        if self.sums.areas.iter().sum::<f64>() < LEAST * whole {
+            self.overlaps.clear();
+            self.parts.clear();
+            self.sums = Sums::default();
+        }
     }
 }
 
