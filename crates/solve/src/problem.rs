@@ -189,18 +189,40 @@ impl<'a> Problem<'a> {
         pairs.into_iter().all(|(i, j)| self.pattern.position(i, j).is_some())
     }
 
-    /// Whether some unknown moves a point towards or from its master. Where slave and master are both held, what
-    /// is left is how the normal turns about a gap that is there already, and no force closes that.
+    /// Whether some unknown moves a point towards or from its master. Where slave and master are both held, or one follows
+    /// the other, what is left is how the normal turns about a gap that is there already, and no force closes that.
     pub fn contact_yields(&self, kinematics: &PointRows<'_>, rows: &Rows) -> bool {
-        let normal = kinematics.rows.normal();
+        let (unknowns, normal) = (kinematics.rows.unknowns, kinematics.rows.normal());
         let least = LEAST_LEVER * normal.iter().fold(0.0_f64, |whole, g| whole.max(g.abs()));
-        kinematics.rows.unknowns.iter().zip(normal).any(|(&dof, &g)| {
+        let own = || unknowns.iter().copied().zip(normal.iter().copied());
+        let is_free = |dof: usize| matches!(self.constraints.roles[dof], Role::Free(_));
+        let follows = own().any(|(dof, g)| g != 0.0 && !is_free(dof));
+        own().any(|(dof, g)| {
             let mut yields = false;
             self.constraints.for_each_equation(rows, dof, &mut |equation: usize, a: f64| {
-                yields |= (a * g * self.units[equation]).abs() > least;
+                let lever = |x: f64| (x * self.units[equation]).abs();
+                // what follows an unknown may move along with another one that is that unknown, or follows it
+                yields |= lever(a * g) > least
+                    && (!follows || lever(self.moved_by(own(), rows, equation)) > least);
             });
             yields
         })
+    }
+
+    /// What an equation moves of dofs by these factors.
+    fn moved_by(
+        &self,
+        factors: impl Iterator<Item = (usize, f64)>,
+        rows: &Rows,
+        equation: usize,
+    ) -> f64 {
+        let mut sum = 0.0;
+        for (dof, g) in factors {
+            self.constraints.for_each_equation(rows, dof, &mut |other: usize, a: f64| {
+                sum += if other == equation { a * g } else { 0.0 };
+            });
+        }
+        sum
     }
 
     /// Whether a point and its master are held where they are: what little it overlaps by is of normals that turn

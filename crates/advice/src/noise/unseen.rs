@@ -27,6 +27,9 @@ const LATE: f64 = 0.1;
 /// by less. Where many faces carry, as in press fits, the mean is right whatever stands in each. (choice)
 const SUNK: f64 = 0.25;
 
+/// Part of a face by which sides that only touch stand in one another [1].
+const ROUNDING: f64 = 1e-9;
+
 /// A depth, where it is, and when.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Deep {
@@ -89,7 +92,10 @@ impl Unseen {
 
     /// What is to be told, and what it means for the forces, of a pair whose sides have come together by `approach` [L].
     pub fn told(&self, touched: bool, approach: Option<f64>) -> Option<(Deep, String)> {
-        let beyond = |(way, _): (f64, Deep), part: f64| approach.filter(|own| way > part * own);
+        let is_more = |own: Deep| own.depth > ROUNDING;
+        let beyond = |(way, deep): (f64, Deep), part: f64| {
+            approach.filter(|own| way > part * own && is_more(deep))
+        };
         if self.deepest.depth > DEEP {
             return Some((self.deepest, "contact forces there are too small".into()));
         }

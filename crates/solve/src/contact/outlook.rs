@@ -29,14 +29,16 @@ impl Contact {
         let (faces, slaves) = (&pair.faces[..], &self.slave_nodes[place][..]);
         let slaves: HashSet<NodeIndex> =
             if faces.is_empty() { HashSet::new() } else { slaves.iter().copied().collect() };
+        let mut of_node: HashMap<NodeIndex, Vec<usize>> = HashMap::new();
         for face in faces {
             let Some(cell) = face.cell() else { continue };
             let (corners, middles) = face.nodes.split_at(cell.faces.len());
             let parts = if middles.iter().any(|node| slaves.contains(node)) { 2.0 } else { 1.0 };
+            let own = self.slave_faces.len();
+            middles.iter().for_each(|node| of_node.entry(*node).or_default().push(own));
             self.slave_faces
                 .push(SlaveFace { corners: corners.iter().map(corner).collect(), parts });
         }
-        let mut of_node: HashMap<NodeIndex, Vec<usize>> = HashMap::new();
         for (own, face) in self.slave_faces.iter().enumerate().skip(first) {
             for (node, ..) in &face.corners {
                 of_node.entry(*node).or_default().push(own);

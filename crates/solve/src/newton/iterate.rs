@@ -173,7 +173,9 @@ impl Scratch {
                     kept = kept.max(-left / by_it);
                 }
             }
-            free.take(&moves, 1.0 - kept.min(1.0), correction);
+            if !free.are_opposed() || free.move_far(&moves) {
+                free.take(&moves, 1.0 - kept.min(1.0), correction);
+            }
         }
     }
 

@@ -6,7 +6,7 @@
 //!                               it has no momentum
 //! ```
 //!
-//! docs/theory.md section 8.2. (derived)
+//! docs/theory.md section 8.18. (derived)
 
 use super::Restraint;
 use super::rigid_motions::{DEPENDENT, Motion, named_motion};
@@ -142,6 +142,10 @@ const MOST: usize = 6;
 /// belong to. (choice)
 const OPPOSED: f64 = 1e-2;
 
+/// Part of its size by which a correction must move a body that contact presses on along what is left to it for that to be
+/// rounding [1]: which of its motions are left and which are what contact makes it do is not told apart. (choice)
+const WILD: f64 = 0.1;
+
 /// The free motions of a body that are left to it where it stands.
 pub struct FreeMotions<'a> {
     body: &'a LooseBody,
@@ -199,6 +203,25 @@ impl FreeMotions<'_> {
         }
         let is_balanced = (0..self.count).all(|m| sums[m].abs() <= allowed[m]);
         is_balanced.then(|| self.part_of(|k| correction[self.body.unknowns[k].0]))
+    }
+
+    /// Whether contact opposes some of them.
+    pub fn are_opposed(&self) -> bool {
+        self.count < self.body.free.len()
+    }
+
+    /// Whether they move the body by more than a part of its size.
+    pub fn move_far(&self, moves: &[f64; MOST]) -> bool {
+        let (mut size, mut most) = (0.0_f64, 0.0_f64);
+        for (k, &(_, dof)) in self.body.unknowns.iter().enumerate() {
+            let (node, name) = self.stand.dofs.name(dof);
+            let from = self.stand.position(node).into_iter().zip(self.centre);
+            size = from.map(|(x, c)| (x - c).abs()).fold(size, f64::max);
+            if !name.is_rotation() {
+                most = most.max(self.moved(moves, k).abs());
+            }
+        }
+        most > WILD * size
     }
 
     /// What a row of contact, over dofs, sees of them.
