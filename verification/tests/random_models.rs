@@ -110,3 +110,21 @@ fn solids_complete_and_keep_the_laws() {
     assert!(completed + 1 >= well_posed, "{table}");
     assert!(table.violations().is_empty(), "{table}");
 }
+
+/// Parts that grew cell by cell beside one another, once wrong: a node saw the far side of a curved face (0), or the wall of a
+/// hole through the part (113); the outline of a part with a hole was refused (38); a sliver as small as rounding closed (211).
+#[test]
+fn parts_that_stand_apart_do_not_touch() {
+    let folder = std::env::temp_dir().join(format!("slideline-apart-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let mut table = Table::default();
+    let class = solids::CLASSES.iter().find(|class| class.name == "apart").unwrap();
+    let limit = Duration::from_secs(300); // a busy machine is no fault
+    solids::sweep(class, [0, 38, 113, 211].into_iter(), (&folder, limit), |case, verdict| {
+        table.add(case.label(), verdict);
+    });
+    std::fs::remove_dir_all(&folder).unwrap();
+    println!("{table}");
+    assert_eq!(table.well_posed(), [4, 4], "{table}");
+    assert!(table.violations().is_empty(), "{table}");
+}

@@ -26,19 +26,22 @@ impl EdgePair {
         matches!(self.met, Master::Faces(_)).then_some(&self.met)
     }
 
-    /// The faces of the surface of its pair that its nodes belong to, by their corners: in the plane with the material on
-    /// the left, in space counter-clockwise as seen from outside.
-    pub fn own_faces(&self, pair: &ContactPair) -> Vec<Vec<NodeIndex>> {
-        let corners = |face: &ContactFace| Some(face.nodes[..face.cell()?.faces.len()].to_vec());
+    /// The faces of the surface of its pair that its nodes belong to, by their corners and their middle nodes: in the plane
+    /// with the material on the left, in space counter-clockwise as seen from outside.
+    pub fn own_faces(&self, pair: &ContactPair) -> Vec<[Vec<NodeIndex>; 2]> {
+        let parts = |face: &ContactFace| {
+            let (corners, middles) = face.nodes.split_at(face.cell()?.faces.len());
+            Some([corners.to_vec(), middles.to_vec()])
+        };
         match (self.is_of_master, &pair.master) {
             (false, _) if pair.faces.is_empty() => {
-                pair.elements.iter().map(|element| element.nodes.to_vec()).collect()
+                pair.elements.iter().map(|element| [element.nodes.to_vec(), Vec::new()]).collect()
             }
-            (false, _) => pair.faces.iter().filter_map(corners).collect(),
+            (false, _) => pair.faces.iter().filter_map(parts).collect(),
             (true, Master::SlideLine(line)) => {
-                line.nodes.windows(2).map(|own| vec![own[1], own[0]]).collect()
+                line.nodes.windows(2).map(|own| [vec![own[1], own[0]], Vec::new()]).collect()
             }
-            (true, Master::Faces(faces)) => faces.faces.iter().filter_map(corners).collect(),
+            (true, Master::Faces(faces)) => faces.faces.iter().filter_map(parts).collect(),
             (true, Master::RigidSurface(_) | Master::Itself(_)) => Vec::new(),
         }
     }

@@ -187,25 +187,25 @@ fn middle_nodes_of_edges_are_held() {
 }
 
 /// Requirement: middle nodes at the rim of a quadratic slave press what its faces look at, and not the sides of a flush part:
-/// along the sides nothing acts. Source: both blocks are symmetric. Tolerance: 1e-2 of the force, by which normals lean. Sides had forces of a fifth of it.
+/// along the sides nothing acts. Source: the faces that meet look up and down. A dozen had normals across.
 #[test]
 fn middle_nodes_at_the_rim_do_not_press_sides() {
-    let lower = Block { name: "LOW", base: 1000, cells: [3, 3, 1], kind: Kind::C3d20r };
-    let upper = Block { name: "UP", base: 3000, cells: [4, 4, 1], kind: Kind::C3d20r };
+    let lower = Block { name: "LOW", base: 1000, cells: [3, 2, 1], kind: Kind::C3d20r };
+    let upper = Block { name: "UP", base: 3000, cells: [4, 3, 1], kind: Kind::C3d20r };
     let mut text = "*HEADING\nrim\n".to_owned();
     // flush sides, and a face that is round
-    let round = |x: f64| 0.1 * (1.0 - (2.0 * x - 1.0) * (2.0 * x - 1.0));
-    lower.write(&mut text, |[x, y, z]| [4.0 * x, 4.0 * y, (1.0 + round(x)) * z]);
-    upper.write(&mut text, |[x, y, z]| [4.0 * x, 4.0 * y, 1.0 + round(x) + z * (1.0 - round(x))]);
+    let round = |x: f64| 0.6 * (1.0 - (2.0 * x - 1.0) * (2.0 * x - 1.0));
+    lower.write(&mut text, |[x, y, z]| [4.0 * x, 2.0 * y, (1.0 + round(x)) * z]);
+    upper.write(&mut text, |[x, y, z]| [4.0 * x, 2.0 * y, 1.0 + round(x) + z * (1.0 - round(x))]);
     text += &lower.set("BASE", |at| at[2] == 0.0);
     text += &upper.set("HEAD", |at| at[2] == 1.0);
+    text += &upper.set("WARM", |_| true);
     text += "*SOLID SECTION, ELSET=LOW, MATERIAL=M\n*SOLID SECTION, ELSET=UP, MATERIAL=M\n*MATERIAL, NAME=M\n\
-             *ELASTIC\n1000., .3\n*SURFACE INTERACTION, NAME=I\n*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n\
-             *CONTACT PROPERTY ASSIGNMENT\n, , I\n*BOUNDARY\nBASE, 1, 3\nHEAD, 1, 2\n*STEP, NLGEOM\n*STATIC\n1., 1.\n\
-             *BOUNDARY\nHEAD, 3, 3, -.05\n*END STEP\n";
+             *ELASTIC\n1000., .3\n*EXPANSION\n1.E-4\n*SURFACE INTERACTION, NAME=I\n*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n\
+             *CONTACT PROPERTY ASSIGNMENT\n, , I\n*BOUNDARY\nBASE, 1, 3\nHEAD, 1, 3\n*STEP, NLGEOM\n*STATIC\n1., 1.\n\
+             *TEMPERATURE\nWARM, 100.\n*END STEP\n";
     let last = solved(&text);
-    let whole = last.force()[2].abs();
     let pressing = last.contact.iter().filter(|row| row.pressure > 0.0);
-    let aside: f64 = pressing.map(|row| row.area * row.pressure * row.normal[1].abs()).sum();
-    assert!(whole > 100.0 && aside < 1e-2 * whole, "{aside} of {whole}");
+    let aside = pressing.clone().filter(|row| row.normal[1].abs() > 0.5).count();
+    assert!(pressing.count() > 9 && aside == 0, "{aside}");
 }

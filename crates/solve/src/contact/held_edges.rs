@@ -86,9 +86,9 @@ impl Contact {
         let first = self.points.len() - edges.nodes.len();
         let places = edges.nodes.iter().enumerate().map(|(own, node)| (*node, first + own));
         let places: HashMap<_, _> = places.collect();
-        for face in edges.own_faces(&model.contact_pairs[edges.of]) {
-            let about: Vec<usize> =
-                face.iter().filter_map(|node| places.get(node).copied()).collect();
+        for [face, middles] in edges.own_faces(&model.contact_pairs[edges.of]) {
+            let all = face.iter().chain(&middles);
+            let about: Vec<usize> = all.filter_map(|node| places.get(node).copied()).collect();
             if about.is_empty() {
                 continue;
             }
