@@ -16,8 +16,8 @@ use std::collections::HashMap;
 
 use slideline_model::{NodeIndex, Nodes};
 
-/// A place of the plane [L].
-type Place = [f64; 2];
+/// A place; the third coordinate means nothing in the plane [L].
+type Place = [f64; 3];
 
 /// Most distances between nodes and faces that are computed.
 const DISTANCES: usize = 10_000_000;
@@ -62,10 +62,7 @@ pub(super) fn joined(faces: &[[NodeIndex; 2]]) -> Vec<Vec<usize>> {
 impl Outlines {
     /// The outlines that are made of these faces, each with whether all are of solids: others have no inside.
     pub fn new(pieces: &[(Vec<[NodeIndex; 2]>, bool)], nodes: &Nodes) -> Self {
-        let place = |node: NodeIndex| {
-            let [x, y, _] = nodes.position(node);
-            [x, y]
-        };
+        let place = |node: NodeIndex| nodes.position(node);
         let outline = |(piece, of_solids): &(Vec<[NodeIndex; 2]>, bool)| {
             let faces: Vec<_> = piece.iter().map(|ends| ends.map(place)).collect();
             let is_hollow = *of_solids && is_closed(piece) && area(&faces) < 0.0;
@@ -81,15 +78,8 @@ impl Outlines {
         }
         let faces = self.all.iter().map(|outline| outline.faces.len()).sum::<usize>();
         let step = nodes.len().div_ceil((DISTANCES / faces.max(1)).max(1)).max(1);
-        let places: Vec<Place> = nodes
-            .iter()
-            .step_by(step)
-            .map(|&node| {
-                let [x, y, _] = known.position(node);
-                [x, y]
-            })
-            .collect();
-        let within: Vec<Vec<bool>> = places.iter().map(|&place| self.within(place)).collect();
+        let places = nodes.iter().step_by(step).map(|&node| known.position(node));
+        let within: Vec<Vec<bool>> = places.map(|place| self.within(place)).collect();
         let all_in = |hollow: usize| within.iter().all(|own| own[hollow]);
         let hollows = || (0..self.all.len()).filter(|&own| self.all[own].is_hollow);
         let may = |own: usize| match self.all[own].is_hollow {
@@ -123,14 +113,14 @@ impl Outline {
         let square = |[a, b]: &[Place; 2]| {
             let (along, way) = (minus(*b, *a), minus(place, *a));
             let part = (dot(way, along) / dot(along, along)).clamp(0.0, 1.0);
-            let apart = [way[0] - part * along[0], way[1] - part * along[1]];
+            let apart = [way[0] - part * along[0], way[1] - part * along[1], 0.0];
             dot(apart, apart)
         };
         self.faces.iter().map(square).fold(f64::INFINITY, f64::min)
     }
 
     /// Whether it goes around a place: a ray from there crosses it an odd number of times.
-    fn surrounds(&self, [x, y]: Place) -> bool {
+    fn surrounds(&self, [x, y, _]: Place) -> bool {
         let crosses = |&&[a, b]: &&[Place; 2]| {
             (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
         };
@@ -147,7 +137,7 @@ fn is_closed(piece: &[[NodeIndex; 2]]) -> bool {
 
 /// The area that faces go around, with what they are the faces of on their left [L2]; negative around a hollow.
 fn area(faces: &[[Place; 2]]) -> f64 {
-    let from = faces.first().map_or([0.0; 2], |face| face[0]);
+    let from = faces.first().map_or([0.0; 3], |face| face[0]);
     let parts = faces.iter().map(|&[a, b]| {
         let (a, b) = (minus(a, from), minus(b, from));
         0.5 * (a[0] * b[1] - a[1] * b[0])
@@ -156,7 +146,7 @@ fn area(faces: &[[Place; 2]]) -> f64 {
 }
 
 fn minus(a: Place, b: Place) -> Place {
-    [a[0] - b[0], a[1] - b[1]]
+    [a[0] - b[0], a[1] - b[1], 0.0]
 }
 
 fn dot(a: Place, b: Place) -> f64 {
