@@ -417,12 +417,6 @@ mod tests {
         let row = |unseen_depth| PairRow { unseen_depth, closed: 1, ..PairRow::default() };
         pair.follow(&model, &row(0.085), None, 1);
         assert_eq!(pair.unseen(), None);
-        // of sides that only touch the deepest place is rounding, and so is what they have come together
-        let mut touching = Pair::example();
-        let touch =
-            PairRow { approach: 1e-17, unseen: Some(0), force: [1.0, 0.0, 0.0], ..row(1e-16) };
-        touching.follow(&model, &touch, None, 1);
-        assert_eq!(touching.unseen(), None);
         pair.follow(&model, &row(0.4), None, 2);
         pair.follow(&model, &row(0.2), None, 3);
         let said = pair.unseen().unwrap();

@@ -165,3 +165,21 @@ fn face_sizes(model: &Model, pair: &ContactPair) -> HashMap<NodeIndex, f64> {
 fn deeper(known: Deep, now: Deep) -> Deep {
     if now.depth > known.depth { now } else { known }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Requirement: of sides that only touch, what stands in a face and what they have come together are rounding, and nothing
+    /// is told; of one that stands in a face by a twentieth, and has come together by less, it is.
+    #[test]
+    fn sides_that_only_touch_are_not_told() {
+        let told = |depth: f64, approach: f64| {
+            let deep = Deep { depth, ..Deep::default() };
+            let own = Unseen { where_most: (depth, deep), ..Unseen::example() };
+            own.told(true, Some(approach)).is_some()
+        };
+        assert!(!told(1e-16, 1e-17));
+        assert!(told(0.05, 0.1));
+    }
+}

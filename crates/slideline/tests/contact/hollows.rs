@@ -93,14 +93,10 @@ fn pressed(asked: Asked, inside: bool) -> Last {
         ),
         Asked::Named(form) => {
             // cells of the upper row, left to right, as they were numbered
-            let mut labels = Vec::new();
-            let mut label = 1;
-            for (i, j) in (-9..9).flat_map(|i| (-9..9).map(move |j| (i, j))).filter(|&(i, j)| is_frame(i, j)) {
-                if j == 2 && (!inside || (-1..2).contains(&i)) {
-                    labels.push(label);
-                }
-                label += 1;
-            }
+            let cells = (-9..9).flat_map(|i| (-9..9).map(move |j| (i, j)));
+            let cells = (1..).zip(cells.filter(|&(i, j)| is_frame(i, j)));
+            let row = cells.filter(|(_, (i, j))| *j == 2 && (!inside || (-1..2).contains(i)));
+            let labels: Vec<i32> = row.map(|(label, _)| label).collect();
             let face = if inside { "S1" } else { "S3" };
             let list: String = labels.iter().map(|label| format!("{label}, {face}\n")).collect();
             format!(
