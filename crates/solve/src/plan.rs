@@ -16,11 +16,11 @@ mod outline;
 pub use coupling::Coupling;
 pub use outline::{Part, PlanMismatch};
 
-use crate::constraints::ConstraintNumbering;
+use crate::constraints::{ConstraintNumbering, Role};
 use crate::contact::Contact;
 use crate::dofs::DofMap;
 use crate::restraint::Restraint;
-use crate::restraint::loose::LooseBody;
+use crate::restraint::loose::{LooseBody, all_are_clamped};
 use crate::structure::ElementNumbering;
 use crate::users::UserFrictions;
 use outline::Outline;
@@ -80,11 +80,14 @@ impl Plan {
             }
         }
         let loose = |(step, &own): (&Step, &usize)| {
-            let unknown: &[usize] = &constraints[own].dof_of_equation;
-            match model.contact_pairs.is_empty() {
-                true => Vec::new(),
-                false => Restraint::of(model, step).loose_bodies((model, step), (&dofs, unknown)),
+            let numbering: &ConstraintNumbering = &constraints[own];
+            let is_held =
+                |dof: usize| matches!(numbering.roles[dof], Role::Prescribed(_) | Role::Inactive);
+            if model.contact_pairs.is_empty() || all_are_clamped((model, step), (&dofs, is_held)) {
+                return Vec::new();
             }
+            let unknown = (&dofs, &numbering.dof_of_equation[..]);
+            Restraint::of(model, step).loose_bodies((model, step), unknown)
         };
         let loose = model.steps.iter().zip(&of_step).map(loose).collect();
         let elements = constraints.first().map(|own| ElementNumbering::new(model, &dofs, own));

@@ -91,6 +91,43 @@ impl Restraint {
     }
 }
 
+/// Whether every body that beams and links join has a node of which all is held, turns as well: nothing is loose. A quick answer,
+/// which may be no where supports hold all.
+pub fn all_are_clamped(
+    (model, step): (&Model, &Step),
+    (dofs, is_held): (&DofMap, impl Fn(usize) -> bool),
+) -> bool {
+    let mut parent: Vec<NodeIndex> = (0..model.nodes.len()).collect();
+    let root = |parent: &[NodeIndex], mut node: NodeIndex| {
+        while parent[node] != node {
+            node = parent[node];
+        }
+        node
+    };
+    let mut join = |a: NodeIndex, b: NodeIndex| {
+        let [a, b] = [a, b].map(|node| root(&parent, node));
+        parent[a.max(b)] = a.min(b);
+    };
+    for (_, element) in
+        step.presence.elements(&model.blocks).filter(|(block, _)| block.kind.joins())
+    {
+        element.nodes.windows(2).for_each(|ends| join(ends[0], ends[1]));
+    }
+    for link in &model.rigid_links {
+        // with all that it has, turns as well
+        if dofs.of_node(link.dependent).all(|dof| link.follows[dofs.name(dof).1 as usize]) {
+            join(link.master, link.dependent);
+        }
+    }
+    let own = |node: NodeIndex| dofs.of_node(node);
+    let mut clamped = vec![false; parent.len()];
+    for node in 0..parent.len() {
+        let turns = own(node).any(|dof| dofs.is_rotation(dof));
+        clamped[root(&parent, node)] |= turns && own(node).all(&is_held);
+    }
+    (0..parent.len()).all(|node| own(node).all(&is_held) || clamped[root(&parent, node)])
+}
+
 impl LooseBody {
     /// Whether contact touches it in a state, and where it did before in a first guess too: not if that takes it away by more
     /// than a small part of its way from `from` to `to`.
