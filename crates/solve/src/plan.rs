@@ -87,7 +87,8 @@ impl Plan {
                 return Vec::new();
             }
             let unknown = (&dofs, &numbering.dof_of_equation[..]);
-            Restraint::of(model, step).loose_bodies((model, step), unknown)
+            let follows = |dof: usize| matches!(numbering.roles[dof], Role::Dependent(_));
+            Restraint::of(model, step).loose_bodies((model, step), unknown, follows)
         };
         let loose = model.steps.iter().zip(&of_step).map(loose).collect();
         let elements = constraints.first().map(|own| ElementNumbering::new(model, &dofs, own));

@@ -8,8 +8,8 @@
 //!
 //! docs/theory.md section 8.18. (derived)
 
-use super::Restraint;
 use super::rigid_motions::{DEPENDENT, Motion, named_motion};
+use super::{Restraint, length};
 use crate::contact::Contact;
 use crate::dofs::DofMap;
 use crate::state::PointState;
@@ -17,7 +17,7 @@ use slideline_model::{Master, Model, NodeIndex, Step};
 use std::collections::HashSet;
 
 /// Part of the way of a body by which it may leave what pushes it and be said to touch it [1]. (choice)
-const HARDLY: f64 = 1e-3;
+const HARDLY: f64 = 0.1;
 /// Part of the forces on a body that may be left along a free motion by rounding [1].
 const BALANCED: f64 = 1e-6;
 
@@ -56,37 +56,54 @@ impl Stand<'_> {
 }
 
 impl Restraint {
-    /// The bodies that supports leave some motion and that are in contact; none of those that springs or ties hold on to.
-    /// `unknown`: the dofs of all equations.
+    /// The bodies that supports leave some motion and that are in contact: with what is held, and neither held by springs or
+    /// ties nor by way of dofs that follow others. `unknown`: the dofs of all equations; `follows` says whether a dof follows others.
     pub fn loose_bodies(
         &mut self,
         (model, step): (&Model, &Step),
         (dofs, unknown): (&DofMap, &[usize]),
+        follows: impl Fn(usize) -> bool,
     ) -> Vec<LooseBody> {
-        let mut found = Vec::new();
+        let (mut found, mut taken) = (Vec::new(), vec![0_usize; model.contact_pairs.len()]);
         for root in self.roots() {
             let free = self.motions(root);
-            let is_supported = self.rows.get(&root).is_some_and(|rows| !rows.is_empty());
-            let turns = free.iter().any(|own| own[3..].iter().any(|x| x.abs() > DEPENDENT));
-            if free.is_empty()
-                || self.ties.group(root).len() > 1
+            if free.is_empty() {
+                continue;
+            }
+            let members = self.members(model, root);
+            let own: HashSet<NodeIndex> = members.iter().copied().collect();
+            let (pairs, met) = pairs_of(model, &own);
+            pairs.iter().for_each(|&pair| taken[pair] += 1);
+            // rows of contact are asked for unknowns alone
+            let is_led = met
+                .iter()
+                .any(|&node| dofs.of_node(node).chain(dofs.named_of_node(node)).any(&follows));
+            let is_tied = self.ties.group(root).len() > 1
                 || self.is_sprung(model, step, root)
-            {
+                || model.linear_constraints.iter().any(|equation| {
+                    let terms = equation.terms.iter().map(|term| term.0);
+                    terms.chain([equation.dependent.0]).any(|node| own.contains(&node))
+                });
+            if pairs.is_empty() || is_led || is_tied {
                 continue;
             }
-            let members: HashSet<NodeIndex> = self.members(model, root).into_iter().collect();
-            let pairs = pairs_of(model, &members);
-            if pairs.is_empty() {
-                continue;
-            }
-            let own = unknown.iter().copied().enumerate();
-            let own = own.filter(|&(_, dof)| members.contains(&dofs.name(dof).0));
-            let mut unknowns: Vec<(usize, usize)> = own.collect();
+            // motions count by the way of what moves most
+            let by_most = |motion: &Motion| {
+                let (_, moved) = self.farthest(model, (root, &members), motion)?;
+                Some(motion.map(|part| part / length(moved)))
+            };
+            let turns = free.iter().any(|own| own[3..].iter().any(|x| x.abs() > DEPENDENT));
+            let is_supported = self.rows.get(&root).is_some_and(|rows| !rows.is_empty());
+            let unknowns = unknown.iter().copied().enumerate();
+            let unknowns = unknowns.filter(|&(_, dof)| own.contains(&dofs.name(dof).0));
+            let mut unknowns: Vec<(usize, usize)> = unknowns.collect();
             unknowns.sort_unstable_by_key(|own| own.1);
             let size = if self.size > 0.0 { self.size } else { 1.0 };
-            let swings = is_supported && turns;
+            let (free, swings) = (free.iter().filter_map(by_most).collect(), is_supported && turns);
             found.push(LooseBody { unknowns, free, root, size, swings, pairs });
         }
+        // of two that touch one another neither tells where the other one is
+        found.retain(|own| own.pairs.iter().all(|&pair| taken[pair] == 1));
         found
     }
 }
@@ -335,17 +352,21 @@ fn solved(mut rows: [[f64; MOST + 1]; MOST], count: usize) -> [f64; MOST] {
     std::array::from_fn(|i| if i < count { rows[i][MOST] } else { 0.0 })
 }
 
-/// Pairs with a node of a body on either side.
-fn pairs_of(model: &Model, members: &HashSet<NodeIndex>) -> Vec<usize> {
-    let pairs = model.contact_pairs.iter().enumerate();
-    let met = pairs.filter(|(_, pair)| {
+/// Pairs with a node of a body on either side, and these nodes.
+fn pairs_of(model: &Model, members: &HashSet<NodeIndex>) -> (Vec<usize>, Vec<NodeIndex>) {
+    let (mut pairs, mut met) = (Vec::new(), Vec::new());
+    for (place, pair) in model.contact_pairs.iter().enumerate() {
         let rigid = pair.rigid_surfaces().map(|surface| surface.reference);
         let swept = match &pair.master {
             Master::Faces(faces) => faces.swept.as_ref().map(|surface| surface.reference),
             Master::RigidSurface(_) | Master::SlideLine(_) | Master::Itself(_) => None,
         };
         let nodes = pair.slave_nodes().into_iter().chain(pair.master.deforming_nodes());
-        nodes.chain(rigid).chain(swept).any(|node| members.contains(&node))
-    });
-    met.map(|(place, _)| place).collect()
+        let before = met.len();
+        met.extend(nodes.chain(rigid).chain(swept).filter(|node| members.contains(node)));
+        if met.len() > before {
+            pairs.push(place);
+        }
+    }
+    (pairs, met)
 }
