@@ -18,7 +18,7 @@ use crate::left_out::LeftOut;
 use crate::model::Model;
 use crate::node::NodeIndex;
 use crate::surface::{ContactFace, Master, MasterFaces, SlideLine};
-use slideline_mech::surface::lone::{is_lone, lone_edges, middles_of_edges};
+use slideline_mech::surface::lone::{is_lone, nodes_of_edges};
 use slideline_mech::surface::mesh::{MeshFace, SHARP, smooth_groups};
 use slideline_mech::vector::{cross, dot, size, sub};
 use std::collections::{HashMap, HashSet};
@@ -80,9 +80,7 @@ fn sharp_of_master(pair: &ContactPair, at: impl Fn(NodeIndex) -> [f64; 3]) -> Ve
         Master::Faces(MasterFaces { faces, swept: None, .. }) => {
             let mut nodes = nodes_at_creases(faces, &at);
             if pair.formulation == Formulation::NodeToSurface {
-                let mesh = mesh_of(faces);
-                nodes.extend(lone_edges(&mesh, &at).into_iter().flatten());
-                nodes.extend(middles_of_edges(&mesh, &at));
+                nodes.extend(nodes_of_edges(&mesh_of(faces), &at));
             }
             nodes
         }

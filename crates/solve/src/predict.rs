@@ -24,25 +24,30 @@ pub fn extrapolate(plan: &Problem<'_>, committed: &State, dt: f64, u: &mut [f64]
             u[dof] += bend * dt * (dt + last);
         }
     }
-    let_go(plan, (committed, &committed.points), u);
+    let_go(plan, (committed, None), u);
 }
 
-/// Leaves bodies that contact alone would hold where they are, if it does not touch them in a state: they had been
-/// pushed, and would fly on. Whether there are such.
+/// Leaves bodies that contact alone would hold where they are: they had been pushed, and would fly on. At first those that it did
+/// not touch; of a first guess, with its points, those that this takes out of contact. Whether there are such.
 pub fn let_go(
     plan: &Problem<'_>,
-    (committed, now): (&State, &[PointState]),
+    (committed, guess): (&State, Option<&[PointState]>),
     u: &mut [f64],
 ) -> bool {
+    if plan.loose.is_empty() || stabilise::settings(plan, committed).is_some() {
+        return false;
+    }
+    let (from, before) = (&committed.displacement[..], &committed.points[..]);
     let mut some = false;
-    if !plan.loose.is_empty() && stabilise::settings(plan, committed).is_none() {
-        let from = &committed.displacement[..];
-        for body in plan.loose {
-            if !body.is_touched(plan.contact, (&committed.points, now), (from, u)) {
-                body.stay(Stand { model: plan.model, dofs: plan.dofs, u: from }, u);
-                some = true;
-            }
-        }
+    for body in plan.loose {
+        let is_touched =
+            |now: &[PointState]| body.is_touched(plan.contact, (before, now), (from, u));
+        let leaves = match guess {
+            None => !is_touched(before),
+            Some(guess) => is_touched(before) && !is_touched(guess),
+        };
+        let stand = Stand { model: plan.model, dofs: plan.dofs, u: from };
+        some |= leaves && body.stay(stand, u);
     }
     some
 }

@@ -20,7 +20,7 @@ use slideline_model::{NodeIndex, Nodes};
 type Place = [f64; 3];
 
 /// Most distances between nodes and faces that are computed.
-const DISTANCES: usize = 10_000_000;
+pub(super) const DISTANCES: usize = 10_000_000;
 
 /// The faces of a part of the plane, one outline after the other.
 pub(super) struct Outlines {

@@ -14,7 +14,7 @@ use super::skin::{Patch, Skin};
 use crate::draft::Draft;
 
 /// The outlines of a patch of the plane: faces that are joined at their ends.
-pub(super) fn outlines(patch: &Patch, skin: &Skin) -> Vec<Patch> {
+fn outlines(patch: &Patch, skin: &Skin) -> Vec<Patch> {
     let faces: Vec<usize> = patch.iter().copied().collect();
     let ends: Vec<_> = faces.iter().map(|&face| skin.faces[face].ends()).collect();
     let pieces = joined(&ends).into_iter();

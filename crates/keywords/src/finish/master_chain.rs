@@ -13,7 +13,7 @@ use slideline_model::{ContactElement, Formulation, NodeIndex, SlideLine};
 
 use super::chain::{Broken, Chain, Facet, Travel};
 use super::facing::places;
-use super::hollows::{Outlines, joined};
+use super::hollows::{DISTANCES, Outlines, joined};
 use super::one_node::is_at;
 use crate::crossing::crossing;
 use crate::draft::Draft;
@@ -279,8 +279,6 @@ fn of_no_chain(
 /// So many stretches of slaves are looked at, evenly chosen, to tell their
 /// side; fewer where the master is very long.
 const LOOKED_AT: usize = 1000;
-/// Most distances between slaves and segments that are computed for it.
-const DISTANCES: usize = 10_000_000;
 
 /// Mean signed distance of the slaves from the chain, and mean length of
 /// their nearest segments [L]; `None` where they stand on both sides alike.

@@ -13,7 +13,7 @@
 use super::edges::{MeshFace, SHARP, edge, faces_around, neighbours, normal};
 use super::patch::MOST_CORNERS;
 use crate::vector::{Vector, dot, size, sub};
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 /// Turn from which on an edge may be lone [rad]: 20 degrees. (choice)
 const LEAST: f64 = 20.0 * std::f64::consts::PI / 180.0;
@@ -31,37 +31,17 @@ pub fn is_lone(turn: f64, mut beside: impl Iterator<Item = Option<f64>>) -> bool
     may_be(turn) && turn > LEAST && !beside.any(|other| other.is_none_or(is_next))
 }
 
-/// Lone edges between faces that stand out, by their corner nodes; `position` gives undeformed positions of nodes [L].
-pub fn lone_edges(faces: &[MeshFace], position: impl Fn(usize) -> Vector) -> Vec<[usize; 2]> {
-    let turning = Turning::new(faces, &position);
-    let count = |face: usize| faces[face].cell.faces.len();
-    let all = (0..faces.len()).flat_map(|face| (0..count(face)).map(move |k| (face, k)));
-    let lone = all.filter(|&(face, k)| {
-        let first = turning.neighbours[face][k].is_some_and(|other| face < other);
-        let turn = turning.turn(face, k).filter(|_| first);
-        turn.is_some_and(|turn| is_lone(turn, turning.beside(face, k)))
-    });
-    lone.map(|(face, k)| edge(&faces[face], k)).collect()
-}
-
-/// Middle nodes of edges between faces that stand out, sharp ones and lone ones; `position` gives undeformed positions of
-/// nodes [L].
-pub fn middles_of_edges(
-    faces: &[MeshFace],
-    position: impl Fn(usize) -> Vector + Copy,
-) -> Vec<usize> {
+/// Nodes of edges between faces that stand out: the corners of lone ones, then the middle nodes of lone and of sharp ones, whose corners
+/// turn sharply themselves; `position` gives undeformed positions of nodes [L].
+pub fn nodes_of_edges(faces: &[MeshFace], position: impl Fn(usize) -> Vector) -> Vec<usize> {
     let turning = Turning::new(faces, position);
-    let lone: HashSet<[usize; 2]> = lone_edges(faces, position).into_iter().collect();
-    let middle = |(place, face): (usize, &MeshFace)| {
-        let corners = face.cell.faces.len();
-        let own = (0..corners).filter_map(|k| Some((k, *face.nodes.get(corners + k)?)));
-        let stands_out = |k: usize| {
-            let is_sharp = turning.turn(place, k).is_some_and(|turn| turn > SHARP.acos());
-            is_sharp || lone.contains(&edge(face, k))
-        };
-        own.filter(|(k, _)| stands_out(*k)).map(|(_, node)| node).collect::<Vec<_>>()
+    let lone = || turning.edges(|turn, beside| is_lone(turn, beside));
+    let outstanding = turning.edges(|turn, beside| turn > SHARP.acos() || is_lone(turn, beside));
+    let middle = |&(face, k): &(usize, usize)| {
+        faces[face].nodes.get(faces[face].cell.faces.len() + k).copied()
     };
-    faces.iter().enumerate().flat_map(middle).collect()
+    let corners = lone().into_iter().flat_map(|(face, k)| edge(&faces[face], k));
+    corners.chain(outstanding.iter().filter_map(middle)).collect()
 }
 
 /// How faces turn at their edges.
@@ -78,6 +58,21 @@ impl<'a, F: Fn(usize) -> Vector> Turning<'a, F> {
         let normals = faces.iter().map(|face| normal(face, &position)).collect();
         let (neighbours, around) = (neighbours(faces), faces_around(faces));
         Self { faces, position, normals, neighbours, around }
+    }
+
+    /// Edges, each once by one of its faces, whose turn among those beside it is of a kind.
+    fn edges(
+        &self,
+        is_of_kind: impl Fn(f64, &mut dyn Iterator<Item = Option<f64>>) -> bool,
+    ) -> Vec<(usize, usize)> {
+        let count = |face: usize| self.faces[face].cell.faces.len();
+        let all = (0..self.faces.len()).flat_map(|face| (0..count(face)).map(move |k| (face, k)));
+        let kept = all.filter(|&(face, k)| {
+            let is_first = self.neighbours[face][k].is_some_and(|other| face < other);
+            let turn = self.turn(face, k).filter(|_| is_first);
+            turn.is_some_and(|turn| is_of_kind(turn, &mut self.beside(face, k)))
+        });
+        kept.collect()
     }
 
     /// The turn at an edge of a face, positive where the edge stands out [rad]; `None` at an end of the surface.
@@ -150,7 +145,7 @@ mod tests {
             }
         }
         let at = |n: usize| [line[n / rows][0], line[n / rows][1], 0.7 * (n % rows) as f64];
-        lone_edges(&faces, at).len()
+        Turning::new(&faces, at).edges(|turn, beside| is_lone(turn, beside)).len()
     }
 
     /// Requirement: edges of a chamfer are lone, of quadrilaterals and of triangles, those of a round, of a valley and sharp

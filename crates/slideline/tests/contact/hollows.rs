@@ -131,25 +131,26 @@ fn the_whole_outline_of_a_part_with_a_hole_is_a_master() {
     }
 }
 
-/// Requirement: general contact makes one pair of a block and a part with a hole, of what can meet, and none between a part in
-/// a hole and the outside. Source: counted.
+/// Requirement: general contact makes one pair of a block and a part with a hole, of what can meet: outside, in the hole, and as a
+/// plug that is wider than the hole. Source: counted; the wall is where the hole is.
 #[test]
 fn general_contact_pairs_what_can_meet() {
-    let pairs = |inside: bool| {
+    let wall = |low: f64, size: f64| {
         let mut text = "*HEADING\npairs\n".to_owned();
         part(&mut text, ("FRAME", 1), is_frame, |i, j| [f64::from(i), f64::from(j)]);
-        let low = if inside { 0.2 } else { 3.01 };
-        part(
-            &mut text,
-            ("BLOCK", 1001),
-            |i, j| i == 0 && j == 0,
-            |i, j| [0.5 * f64::from(i), low + 0.5 * f64::from(j)],
-        );
+        let place = |i: i32, j: i32| [low + size * f64::from(i), low + size * f64::from(j)];
+        part(&mut text, ("BLOCK", 1001), |i, j| i == 0 && j == 0, place);
         text += "*MATERIAL, NAME=M\n*ELASTIC\n1000., .3\n*CONTACT\n*CONTACT INCLUSIONS\nFRAMES, BLOCKS\n\
                  *SURFACE, NAME=FRAMES\nFRAME,\n*SURFACE, NAME=BLOCKS\nBLOCK,\n*STEP\n*STATIC\n*END STEP\n";
         let read = Job::read_text("pairs", &text, &ReadOptions::default());
         let model = read.model.unwrap_or_else(|| panic!("{:#?}", read.diagnostics));
-        model.contact_pairs.len()
+        let [pair] = &model.contact_pairs[..] else { panic!("{}", model.contact_pairs.len()) };
+        let of_frame = |node: &usize| model.nodes.label(*node) < 1000;
+        let nodes = pair.slave_nodes().into_iter().chain(pair.master.deforming_nodes());
+        nodes.filter(of_frame).all(|node| {
+            let [x, y, _] = model.nodes.position(node);
+            (-1.0..=2.0).contains(&x) && (-1.0..=2.0).contains(&y)
+        })
     };
-    assert_eq!([pairs(false), pairs(true)], [1, 1]);
+    assert_eq!([wall(3.01, 0.5), wall(0.2, 0.5), wall(-1.05, 3.1)], [false, true, true]);
 }

@@ -182,3 +182,31 @@ fn joined_sides_do_not_touch() {
         }
     }
 }
+
+/// Requirement: a block that is pushed along a rail goes where it is pushed to, as one of solids, as a rigid body whose nodes follow
+/// another one, and with nodes that have axes of their own. Tolerance: 1e-6. The last two were held back in every correction (SL0501).
+#[test]
+fn what_is_led_is_pushed_too() {
+    let rigid = "*NODE\n9000, 1., .5\n*NSET, NSET=MOVED\n9000\n*RIGID BODY, REF NODE=9000, ELSET=FREE\n*BOUNDARY\n9000, 2, 2\n9000, 6, 6\n";
+    let turned = "*TRANSFORM, NSET=RAILED\n1., 1., 0., -1., 1., 0.\n";
+    // the rail of turned nodes: along the second axis less along the first is nothing across
+    let across: String =
+        (1001..=1012).map(|node| format!("*EQUATION\n2\n{node}, 1, 1., {node}, 2, 1.\n")).collect();
+    let own_axes = format!("{turned}{across}");
+    for (how, rail) in [("", "RAILED, 2, 2\n"), (rigid, ""), (own_axes.as_str(), "")] {
+        let mut text = "*HEADING\npush\n".to_owned();
+        block(&mut text, ("PUSH", 1), [2, 2], [[-2.1, 0.0], [-0.1, 1.0]]);
+        block(&mut text, ("FREE", 1001), [2, 3], [[0.0, 0.0], [2.0, 1.0]]);
+        text += MATERIAL;
+        let _ = write!(
+            text,
+            "*SURFACE, NAME=A\nPUSH,\n*SURFACE, NAME=B\nFREE,\n*CONTACT PAIR, INTERACTION=I, TYPE=NODE TO SURFACE\nB, A\n\
+             *NSET, NSET=GRIP, GENERATE\n1, 9\n*NSET, NSET=RAILED, GENERATE\n1001, 1012\n{how}*BOUNDARY\n{rail}GRIP, 2, 2\n\
+             *STEP, NLGEOM\n*STATIC\n.1, 1., , .1\n*BOUNDARY\nGRIP, 1, 1, .6\n*END STEP\n"
+        );
+        let last = solved(&text);
+        let own: Vec<_> = last.nodes.iter().filter(|own| (1001..=1012).contains(&own.0)).collect();
+        let along = own.iter().map(|own| own.2[0]).sum::<f64>() / own.len() as f64;
+        assert!((along - 0.5).abs() < 1e-6, "{along}: {how}");
+    }
+}

@@ -74,8 +74,8 @@ impl Scratch {
 
     /// Leaves bodies where they are that the first guess takes out of contact, and that nothing else holds.
     fn lets_go(&mut self, plan: &Problem<'_>, committed: &State) -> bool {
-        let now = (committed, &self.evaluation.points[..]);
-        predict::let_go(plan, now, &mut self.u)
+        let guess = (committed, Some(&self.evaluation.points[..]));
+        predict::let_go(plan, guess, &mut self.u)
     }
 
     /// Where the last increment cannot be repeated, for an element would fail: a first guess

@@ -50,8 +50,7 @@ pub struct Stand<'a> {
 
 impl Stand<'_> {
     fn position(&self, node: NodeIndex) -> [f64; 3] {
-        let (from, moved) = (self.model.nodes.position(node), self.dofs.translation(self.u, node));
-        std::array::from_fn(|axis| from[axis] + moved[axis])
+        self.dofs.translations(node).displace(self.model.nodes.position(node), self.u)
     }
 }
 
@@ -108,21 +107,23 @@ impl Restraint {
     }
 }
 
-/// Whether every body that beams and links join has a node of which all is held, turns as well: nothing is loose. A quick answer,
-/// which may be no where supports hold all.
+/// Whether every body that beams and links join has a node of which all is held, turns as well: nothing is loose. A quick answer
+/// without the lists of a [`Restraint`], which may be no where supports hold all.
 pub fn all_are_clamped(
     (model, step): (&Model, &Step),
     (dofs, is_held): (&DofMap, impl Fn(usize) -> bool),
 ) -> bool {
     let mut parent: Vec<NodeIndex> = (0..model.nodes.len()).collect();
-    let root = |parent: &[NodeIndex], mut node: NodeIndex| {
+    // halves the way to the root on each walk
+    let root = |parent: &mut [NodeIndex], mut node: NodeIndex| {
         while parent[node] != node {
+            parent[node] = parent[parent[node]];
             node = parent[node];
         }
         node
     };
     let mut join = |a: NodeIndex, b: NodeIndex| {
-        let [a, b] = [a, b].map(|node| root(&parent, node));
+        let [a, b] = [a, b].map(|node| root(&mut parent, node));
         parent[a.max(b)] = a.min(b);
     };
     for (_, element) in
@@ -140,9 +141,9 @@ pub fn all_are_clamped(
     let mut clamped = vec![false; parent.len()];
     for node in 0..parent.len() {
         let turns = own(node).any(|dof| dofs.is_rotation(dof));
-        clamped[root(&parent, node)] |= turns && own(node).all(&is_held);
+        clamped[root(&mut parent, node)] |= turns && own(node).all(&is_held);
     }
-    (0..parent.len()).all(|node| own(node).all(&is_held) || clamped[root(&parent, node)])
+    (0..clamped.len()).all(|node| own(node).all(&is_held) || clamped[root(&mut parent, node)])
 }
 
 impl LooseBody {
@@ -167,11 +168,11 @@ impl LooseBody {
         self.pairs.contains(&pair)
     }
 
-    /// Takes what moves it freely out of the way from one configuration to another one; what turns about a support may be taken
-    /// along by that.
-    pub fn stay(&self, stand: Stand<'_>, to: &mut [f64]) {
+    /// Takes what moves it freely out of the way from one configuration to another one, and whether that is done: what turns
+    /// about a support may be taken along by that.
+    pub fn stay(&self, stand: Stand<'_>, to: &mut [f64]) -> bool {
         if self.swings {
-            return;
+            return false;
         }
         let motions = self.place(stand);
         let way = |k: usize| to[self.unknowns[k].1] - stand.u[self.unknowns[k].1];
@@ -179,6 +180,7 @@ impl LooseBody {
         for (k, &(_, dof)) in self.unknowns.iter().enumerate() {
             to[dof] -= motions.moved(&moves, k);
         }
+        true
     }
 
     /// Where it stands.
