@@ -20,7 +20,7 @@ use crate::constraints::{ConstraintNumbering, Role};
 use crate::contact::Contact;
 use crate::dofs::DofMap;
 use crate::restraint::Restraint;
-use crate::restraint::loose::{LooseBody, all_are_clamped};
+use crate::restraint::loose::{LooseBodies, all_are_clamped};
 use crate::structure::ElementNumbering;
 use crate::users::UserFrictions;
 use outline::Outline;
@@ -52,7 +52,7 @@ pub struct Numbering {
     /// Whether each element is absent, of every step; empty where none is.
     pub absent: Vec<Vec<bool>>,
     /// Bodies that contact alone holds, of every step.
-    pub loose: Vec<Vec<LooseBody>>,
+    pub loose: Vec<LooseBodies>,
 }
 
 /// What steps with the same unknowns share.
@@ -84,11 +84,10 @@ impl Plan {
             let is_held =
                 |dof: usize| matches!(numbering.roles[dof], Role::Prescribed(_) | Role::Inactive);
             if model.contact_pairs.is_empty() || all_are_clamped((model, step), (&dofs, is_held)) {
-                return Vec::new();
+                return LooseBodies::default();
             }
-            let unknown = (&dofs, &numbering.dof_of_equation[..]);
-            let follows = |dof: usize| matches!(numbering.roles[dof], Role::Dependent(_));
-            Restraint::of(model, step).loose_bodies((model, step), unknown, follows)
+            let is_unknown = |dof: usize| matches!(numbering.roles[dof], Role::Free(_));
+            Restraint::of(model, step).loose_bodies((model, step), (&dofs, is_unknown))
         };
         let loose = model.steps.iter().zip(&of_step).map(loose).collect();
         let elements = constraints.first().map(|own| ElementNumbering::new(model, &dofs, own));

@@ -38,16 +38,16 @@ pub fn let_go(
         return false;
     }
     let (from, before) = (&committed.displacement[..], &committed.points[..]);
+    let are_held = |now| plan.loose.are_held(plan.contact, (before, now), (from, u));
+    let mut leaves = are_held(before);
+    match guess.map(are_held) {
+        None => leaves.iter_mut().for_each(|own| *own = !*own),
+        Some(held) => leaves.iter_mut().zip(held).for_each(|(own, held)| *own &= !held),
+    }
+    let stand = Stand { model: plan.model, dofs: plan.dofs, u: from };
     let mut some = false;
-    for body in plan.loose {
-        let is_touched =
-            |now: &[PointState]| body.is_touched(plan.contact, (before, now), (from, u));
-        let leaves = match guess {
-            None => !is_touched(before),
-            Some(guess) => is_touched(before) && !is_touched(guess),
-        };
-        let stand = Stand { model: plan.model, dofs: plan.dofs, u: from };
-        some |= leaves && body.stay(stand, u);
+    for (body, _) in plan.loose.iter().zip(leaves).filter(|own| own.1) {
+        some |= body.stay(stand, u);
     }
     some
 }

@@ -14,7 +14,7 @@ use crate::linear_systems::LinearSystems;
 use crate::linearised::LinearRows;
 use crate::loads::FaceLoads;
 use crate::plan::{Coupling, Numbering};
-use crate::restraint::loose::LooseBody;
+use crate::restraint::loose::LooseBodies;
 use crate::start::Start;
 use crate::structure::{Gather, Structure};
 use crate::values::Values;
@@ -28,6 +28,10 @@ use slideline_model::{ContactPair, Model, Step};
 /// Part of a gap's change with its own nodes that unknowns must reach for contact to hold it [1]: less is the
 /// turning of normals, or rounding. (choice)
 const LEAST_LEVER: f64 = 1e-6;
+
+/// Part of what a point's own node does to its gap that constraints may leave of it for the node to be one with the master [1].
+/// (choice)
+const JOINED: f64 = 1e-2;
 
 /// Part of a slave face by which held surfaces may overlap where the normals beside them turn [1]. (choice)
 const LITTLE: f64 = 0.01;
@@ -56,7 +60,7 @@ pub struct Problem<'a> {
     /// Dofs that belong to elements.
     pub elastic: &'a [bool],
     /// Bodies that contact alone holds.
-    pub loose: &'a [LooseBody],
+    pub loose: &'a LooseBodies,
     /// Largest coordinate of the model [L].
     pub reach: f64,
     /// Length of the stiffest element, or else of the model [L].
@@ -225,6 +229,27 @@ impl<'a> Problem<'a> {
         sum
     }
 
+    /// Whether the own node of a point is one with its master there already, as constraints have it: what is left of its gap is
+    /// that of nodes beside it, which are held by themselves.
+    pub fn is_joined(&self, place: usize, kinematics: &PointRows<'_>, rows: &Rows) -> bool {
+        let (unknowns, normal) = (kinematics.rows.unknowns, kinematics.rows.normal());
+        let node = self.contact.points[place].node;
+        let all = || unknowns.iter().copied().zip(normal.iter().copied());
+        let follows = |(dof, _)| matches!(self.constraints.roles[dof], Role::Dependent(_));
+        if !all().any(follows) {
+            return false;
+        }
+        let (mut whole, mut left) = (0.0, 0.0);
+        for (dof, g) in all().filter(|own| self.dofs.name(own.0).0 == node) {
+            self.constraints.for_each_equation(rows, dof, &mut |equation: usize, a: f64| {
+                let lever = |x: f64| (x * self.units[equation]).abs();
+                whole += lever(a * g);
+                left += lever(self.moved_by(all(), rows, equation));
+            });
+        }
+        left < JOINED * whole
+    }
+
     /// Whether a point and its master are held where they are: what little it overlaps by is of normals that turn
     /// beside it, and nothing can part them. What a prescribed motion brings closer is not, nor what overlaps by
     /// more.
@@ -234,7 +259,9 @@ impl<'a> Problem<'a> {
         (kinematics, rows): (&PointRows<'_>, &Rows),
         (u, from): (&[f64], &[f64]),
     ) -> bool {
-        if self.touches_held_node(place, kinematics, (u, from)) {
+        if self.touches_held_node(place, kinematics, (u, from))
+            || self.is_joined(place, kinematics, rows)
+        {
             return true;
         }
         let little = LITTLE * self.contact.spacing[self.contact.points[place].pair];

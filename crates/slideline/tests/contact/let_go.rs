@@ -17,7 +17,7 @@ use std::fmt::Write as _;
 use std::ops::ControlFlow;
 
 /// Nodes and elements of a plane block of so many cells; nodes are numbered along its rows.
-fn block(
+pub fn block(
     text: &mut String,
     (name, base): (&str, usize),
     cells: [usize; 2],
@@ -183,6 +183,42 @@ fn joined_sides_do_not_touch() {
     }
 }
 
+/// Requirement: sides that are joined at the first nodes press one another beyond the last of these, and not there: the force is that
+/// of the length that is left, with half of the face beside the joint or all of it: 2.5 to 3 of 4. Source: the same sides without a
+/// joint. The last joined node carried 12.9 where 2.4 is right, the next one nothing, and all 1.7 times the whole.
+#[test]
+fn sides_that_are_joined_in_part_press_beside_that() {
+    let force = |join: &str, contact: &str| {
+        let mut text = "*HEADING\nseam\n".to_owned();
+        block(&mut text, ("LOW", 1), [4, 2], [[-2.0, -1.0], [2.0, 1.0]]);
+        block(&mut text, ("UP", 1001), [4, 2], [[-2.0, 1.0], [2.0, 3.0]]);
+        text += MATERIAL;
+        let _ = write!(
+            text,
+            "{join}{contact}*NSET, NSET=BASE, GENERATE\n1, 5\n*NSET, NSET=TOP, GENERATE\n1011, 1015\n*BOUNDARY\nBASE, 1, 2\n{}",
+            step(2, "*BOUNDARY\nTOP, 1, 1\nTOP, 2, 2, -0.01\n")
+        );
+        solved(&text).force()[1].abs()
+    };
+    let tied = "*MPC\nTIE, 1001, 11\nTIE, 1002, 12\n";
+    let equations = [1, 2].map(|dof| {
+        format!("*EQUATION\n2\n1001, {dof}, 1., 11, {dof}, -1.\n*EQUATION\n2\n1002, {dof}, 1., 12, {dof}, -1.\n")
+    });
+    let pair = |kind: &str| {
+        format!(
+            "*SURFACE, NAME=A\nLOW,\n*SURFACE, NAME=B\nUP,\n*CONTACT PAIR, INTERACTION=I, TYPE={kind} TO SURFACE\nA, B\n"
+        )
+    };
+    for contact in [GENERAL.to_owned(), pair("SURFACE"), pair("NODE")] {
+        let whole = force("", &contact);
+        for join in [tied.to_owned(), equations.concat()] {
+            let own = force(&join, &contact);
+            let part = own / whole;
+            assert!(part > 2.5 / 4.0 - 0.01 && part < 3.0 / 4.0, "{own} {whole}: {join}{contact}");
+        }
+    }
+}
+
 /// Requirement: a block that is pushed along a rail goes where it is pushed to, as one of solids, as a rigid body whose nodes follow
 /// another one, and with nodes that have axes of their own. Tolerance: 1e-6. The last two were held back in every correction (SL0501).
 #[test]
@@ -208,5 +244,106 @@ fn what_is_led_is_pushed_too() {
         let own: Vec<_> = last.nodes.iter().filter(|own| (1001..=1012).contains(&own.0)).collect();
         let along = own.iter().map(|own| own.2[0]).sum::<f64>() / own.len() as f64;
         assert!((along - 0.5).abs() < 1e-6, "{along}: {how}");
+    }
+}
+
+/// The cards of a step in so many increments, with what is prescribed in it.
+fn step(increments: usize, cards: &str) -> String {
+    let size = 1.0 / increments as f64;
+    format!("*STEP, NLGEOM\n*STATIC\n{size:?}, 1., , {size:?}\n{cards}*END STEP\n")
+}
+
+/// Requirement: blocks in a row, none of which is held along the rail, are where the last one of them was pushed to when the push
+/// turns back, with a softer one between and in metres too. The guess that goes on is that of all. Tolerance: 1e-6, what iterations leave.
+#[test]
+fn rows_of_blocks_stay_when_the_push_ends() {
+    for (unit, increments) in [(1.0, 10), (1.0, 23), (1e-3, 10)] {
+        let mut text = "*HEADING\nrow\n".to_owned();
+        let mut part = |name: &str, base: usize, from: f64| {
+            let corners = [[unit * (from - 2.0), 0.0], [unit * from, unit]];
+            block(&mut text, (name, base), [2, 2], corners);
+        };
+        part("PUSH", 1, -0.1);
+        part("A", 1001, 2.0);
+        part("B", 2001, 4.1);
+        part("C", 3001, 6.15);
+        text += MATERIAL;
+        text += GENERAL;
+        let all: String =
+            [1001, 2001, 3001].map(|base| format!("{base}, {}\n", base + 8)).concat();
+        let go = format!("*BOUNDARY, AMPLITUDE=GO\nGRIP, 1, 1, {:?}\n", 0.6 * unit);
+        let _ = write!(
+            text,
+            "*NSET, NSET=GRIP, GENERATE\n1, 9\n*NSET, NSET=RAILED, GENERATE\n{all}*AMPLITUDE, NAME=GO\n0., 0., .5, 1., 1., 0.\n\
+             *BOUNDARY\nRAILED, 2, 2\nGRIP, 2, 2\n{}",
+            step(increments, &go)
+        );
+        let last = solved(&text);
+        let most = (0..=increments).map(|k| k as f64 / increments as f64);
+        let most = most.map(|t| 2.0 * t.min(1.0 - t)).fold(0.0, f64::max);
+        for (base, gap) in [(1001, 0.1), (2001, 0.2), (3001, 0.25)] {
+            let own: Vec<_> =
+                last.nodes.iter().filter(|own| (base..base + 9).contains(&own.0)).collect();
+            let along = own.iter().map(|own| own.2[0]).sum::<f64>() / own.len() as f64;
+            let right = unit * (0.6 * most - gap);
+            assert!((along - right).abs() < 1e-6 * unit, "{increments} {base}: {along}, not {right}");
+        }
+    }
+}
+
+/// Requirement: plates in a stack whose load goes to zero stay where they are. Tolerance: a tenth of what the load pressed them in, 0.04,
+/// which the last guess gives back too much of. The upper one flew, green.
+#[test]
+fn stacks_that_are_unloaded_stay() {
+    for increments in [1, 3] {
+        let mut text = "*HEADING\nstack\n".to_owned();
+        block(&mut text, ("LOW", 1), [6, 2], [[-3.0, -2.0], [3.0, 0.0]]);
+        block(&mut text, ("ONE", 1001), [4, 1], [[-2.0, 0.0], [2.0, 1.0]]);
+        block(&mut text, ("TWO", 2001), [5, 1], [[-2.0, 1.0], [2.0, 2.0]]);
+        text += MATERIAL;
+        let _ = write!(
+            text,
+            "*SURFACE, NAME=SL\nLOW,\n*SURFACE, NAME=S1\nONE,\n*SURFACE, NAME=S2\nTWO,\n\
+             *CONTACT PAIR, INTERACTION=I, TYPE=SURFACE TO SURFACE\nS1, SL\n\
+             *CONTACT PAIR, INTERACTION=I, TYPE=SURFACE TO SURFACE\nS2, S1\n\
+             *SURFACE, NAME=TOP\n2001, S3\n2002, S3\n2003, S3\n2004, S3\n2005, S3\n\
+             *NSET, NSET=BASE, GENERATE\n1, 7\n*BOUNDARY\nBASE, 1, 2\n{}{}",
+            step(increments, "*DSLOAD\nTOP, P, 20.\n"),
+            step(increments, "*DSLOAD, OP=NEW\n")
+        );
+        let last = solved(&text);
+        for base in [1001, 2001] {
+            let [along, up] = moved(&last, base);
+            assert!(along.abs() < 4e-3 && up.abs() < 4e-3, "{increments} {base}: {along} {up}");
+        }
+    }
+}
+
+/// Requirement: spacers between plates carry again what they carried before they were let go, one upon the other, joined by a hinge or
+/// with their upper side led by a reference node. Tolerance: 1 %, by which friction may leave them elsewhere. They were gone.
+#[test]
+fn spacers_that_are_let_go_carry_again() {
+    let hinge = "*MPC\nPIN, 2001, 1005\n";
+    let led = "*NODE\n9000, 0., 1.\n*NSET, NSET=SIDE, GENERATE\n2001, 2006\n*RIGID BODY, REF NODE=9000, TIE NSET=SIDE\n";
+    for how in ["", hinge, led] {
+        let mut text = "*HEADING\nspacers\n".to_owned();
+        block(&mut text, ("LOW", 1), [6, 2], [[-3.0, -2.0], [3.0, 0.0]]);
+        block(&mut text, ("ONE", 1001), [4, 1], [[-2.0, 0.0], [2.0, 0.5]]);
+        block(&mut text, ("TWO", 2001), [5, 1], [[-2.0, 0.5], [2.0, 1.0]]);
+        block(&mut text, ("UP", 3001), [5, 2], [[-2.5, 1.0], [2.5, 2.0]]);
+        text += MATERIAL;
+        let _ = write!(
+            text,
+            "{how}*SURFACE, NAME=SL\nLOW,\n*SURFACE, NAME=S1\nONE,\n*SURFACE, NAME=S2\nTWO,\n*SURFACE, NAME=SU\nUP,\n\
+             *CONTACT PAIR, INTERACTION=I, TYPE=SURFACE TO SURFACE\nS1, SL\n\
+             *CONTACT PAIR, INTERACTION=I, TYPE=SURFACE TO SURFACE\nS2, S1\n\
+             *CONTACT PAIR, INTERACTION=I, TYPE=SURFACE TO SURFACE\nSU, S2\n\
+             *NSET, NSET=BASE, GENERATE\n1, 7\n*NSET, NSET=HEAD, GENERATE\n3013, 3018\n*BOUNDARY\nBASE, 1, 2\nHEAD, 1\n"
+        );
+        let pressed = step(2, "*BOUNDARY\nHEAD, 2, 2, -.05\n");
+        let raised = step(2, "*BOUNDARY\nHEAD, 2, 2, .2\n");
+        let once = solved(&format!("{text}{pressed}")).force()[1];
+        let again = solved(&format!("{text}{pressed}{raised}{pressed}")).force()[1];
+        assert!(once > 50.0 && (again / once - 1.0).abs() < 0.01, "{once} {again}: {how}");
     }
 }

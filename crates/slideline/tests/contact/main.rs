@@ -23,6 +23,7 @@ mod grazing;
 mod halves;
 mod hollows;
 mod interference;
+mod jumps;
 mod left_out_faces;
 mod let_go;
 mod lone_edges;

@@ -96,7 +96,7 @@ impl Contact {
             match (event.inward, entered) {
                 (true, None) => entered = Some(event),
                 (false, Some(from)) => {
-                    if self.is_through(place, &from, &event) {
+                    if self.is_through(place, [&from, &event], &chains[1]) {
                         return Some(from.fraction);
                     }
                     entered = None;
@@ -111,14 +111,17 @@ impl Contact {
             // little behind the faces
             let point = &self.points[place];
             let met = self.met_itself(point, &chains[1]);
-            let beyond = met.is_none_or(|depth| depth < -CUT * self.spacing[point.pair]);
+            let allowed = CUT * self.spacing[point.pair];
+            // nor is there a way behind a corner that another corner has just met
+            let is_deep = (1.0 - from.fraction) * from.past > allowed;
+            let beyond = is_deep && met.is_none_or(|depth| depth < -allowed);
             return (beyond && from.fraction > 0.0).then_some(from.fraction);
         }
         if matches!(master, MasterSurface::Line { .. }) && now.along.is_some() {
             return None; // it faces the line, whose corners are smoothed, on the side it stands
         }
         match self.faces(place, (sweep.to, sweep.now), &chains[1], 1.0) {
-            Some(end) => self.is_through(place, &from, &end).then_some(from.fraction),
+            Some(end) => self.is_through(place, [&from, &end], &chains[1]).then_some(from.fraction),
             // entered on the way, and at its end it faces nothing
             None if from.fraction > 0.0 => {
                 let end = (sweep.to, sweep.now);
@@ -197,23 +200,34 @@ impl Contact {
     /// Whether the way between two places of a master goes through its body:
     /// they face apart, and the way neither slides round the body nor cuts no
     /// more than a corner.
-    fn is_through(&self, place: usize, from: &Event, to: &Event) -> bool {
+    fn is_through(&self, place: usize, [from, to]: [&Event; 2], now: &MasterPositions) -> bool {
         let pair = self.points[place].pair;
-        if let MasterSurface::Faces { .. } = &self.masters[pair] {
+        let cosine = dot(from.normal, to.normal);
+        let is_deep = || {
             let within = (to.fraction - from.fraction) * from.past.min(to.past);
-            let cosine = dot(from.normal, to.normal);
-            return cosine < 0.0 && (cosine < WALL || within > CUT * self.spacing[pair]);
-        }
-        let MasterSurface::Body { surface, .. } = &self.masters[pair] else { return false };
-        if dot(from.normal, to.normal) >= 0.0 {
+            within > CUT * self.spacing[pair]
+        };
+        let is_wall = |straight: f64, period: Option<f64>| {
+            let round = (to.along - from.along).abs();
+            period.map_or(round, |period| round.min(period - round)) > ROUND * straight
+        };
+        if cosine >= 0.0 {
             return false;
         }
-        let straight = distance(from.at, to.at);
-        let mut round = (to.along - from.along).abs();
-        if let Some(period) = surface.period() {
-            round = round.min(period - round);
-        }
-        if round > ROUND * straight {
+        let surface = match &self.masters[pair] {
+            MasterSurface::Nothing => return false,
+            MasterSurface::Faces { .. } => return cosine < WALL || is_deep(),
+            MasterSurface::Line { chain, nodes, offset, .. } => {
+                let line = &now.nodes[*offset..offset + nodes.len()];
+                let [one, other] = [from, to].map(|event| {
+                    let (part, along) = chain.part_at(event.along);
+                    between(line[part], line[part + 1], along)
+                });
+                return is_wall(distance(one, other), chain.period()) || is_deep();
+            }
+            MasterSurface::Body { surface, .. } => surface,
+        };
+        if is_wall(distance(from.at, to.at), surface.period()) {
             return true;
         }
         let depth = (1..SAMPLES).map(|k| {

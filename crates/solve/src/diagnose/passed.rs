@@ -87,6 +87,14 @@ impl Case<'_> {
         // one that enters at the beginning of its increment needs some increment still
         let needed = 0.1 * missed.fraction.max(LEAST) * self.dt;
         let said = Diagnostic::error(Code("SL0519"), message).at(procedure.origin);
+        let (step, reached) = (self.plan.step, self.committed.step_time);
+        if step.at_once && reached == 0.0 && !step.prescribed.is_empty() {
+            return said.at(step.origin).help(
+                "the results up to that time are kept; shorter increments will not mend it: in this step motions without \
+                 an amplitude are there at once, in the first increment, however short that is. Let them grow over the \
+                 step with *STEP, AMPLITUDE=RAMP, or give *BOUNDARY an *AMPLITUDE that begins at 0",
+            );
+        }
         if needed < SHORTEST * procedure.period {
             return said.help(format!(
                 "the results up to that time are kept; shorter increments will not mend it, these are \

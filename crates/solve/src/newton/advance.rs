@@ -7,11 +7,7 @@ impl Scratch {
     /// Moves by a fraction of the correction.
     pub(super) fn advance(&mut self, plan: &Problem<'_>, length: f64) {
         self.step_length = length;
-        self.correction_dofs.fill(0.0);
-        for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
-            self.correction_dofs[dof] = self.correction[equation];
-        }
-        plan.constraints.expand(&self.evaluation.rows, &mut self.correction_dofs);
+        self.expand_correction(plan);
         self.move_stresses(plan, length);
         for (dof, change) in self.correction_dofs.iter_mut().enumerate() {
             *change *= length;
@@ -25,5 +21,14 @@ impl Scratch {
             *old += length * (linear.traction() - *old);
         }
         plan.constraints.enforce(&self.turns, &mut self.u);
+    }
+
+    /// The correction of all dofs.
+    pub(super) fn expand_correction(&mut self, plan: &Problem<'_>) {
+        self.correction_dofs.fill(0.0);
+        for (equation, &dof) in plan.constraints.dof_of_equation.iter().enumerate() {
+            self.correction_dofs[dof] = self.correction[equation];
+        }
+        plan.constraints.expand(&self.evaluation.rows, &mut self.correction_dofs);
     }
 }

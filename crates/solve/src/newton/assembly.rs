@@ -1,5 +1,6 @@
 //! The tangent of an iteration: elements, geometry of contact, augmentation stiffness.
 
+use super::hold::hold_loose;
 use super::multipliers::context;
 use super::scratch::{Scratch, solver};
 use crate::contact::{SEGMENT_POINTS, SlavePoint};
@@ -47,14 +48,28 @@ impl Scratch {
                     self.count_negative_pivots();
                     return Ok(());
                 }
-                Err(SolveError::Singular { .. }) if !self.augment_all && !plan.inserts_laws() => {
-                    self.augment_all = true;
-                    self.evaluation.look.forget();
-                    self.evaluate(plan, committed, self.dt);
-                }
+                Err(fault @ SolveError::Singular { .. }) => self.augment(plan, committed, fault)?,
                 Err(fault) => return Err(fault),
             }
         }
+    }
+
+    /// Augments every point that faces its master from now on, for a tangent that was singular.
+    ///
+    /// Errors: the fault, where that is done already.
+    pub(super) fn augment(
+        &mut self,
+        plan: &Problem<'_>,
+        committed: &State,
+        fault: SolveError,
+    ) -> Result<(), SolveError> {
+        if self.augment_all || plan.inserts_laws() {
+            return Err(fault);
+        }
+        self.augment_all = true;
+        self.evaluation.look.forget();
+        self.evaluate(plan, committed, self.dt);
+        Ok(())
     }
 
     /// Takes note of what touches beyond the pattern.
@@ -168,6 +183,7 @@ impl Scratch {
         is_hard
             && kinematics.faces
             && (!plan.contact_yields(kinematics, &self.evaluation.rows)
+                || plan.is_joined(place, kinematics, &self.evaluation.rows)
                 || plan.touches_held_node(place, kinematics, ways))
     }
 
@@ -176,6 +192,9 @@ impl Scratch {
     pub(super) fn assemble(&mut self, plan: &Problem<'_>, committed: &State) {
         self.take_tangents(plan, committed);
         self.stiffen(plan);
+        if self.dashpots.is_empty() {
+            hold_loose(plan, (&self.evaluation.rows, self.hold_of_loose), &mut self.values);
+        }
         self.dashpots.stiffen(plan, &self.evaluation.rows, &mut self.values);
         let at = (&self.faces[..], &self.u[..], &self.turns[..]);
         plan.stiffen_by_faces(&self.evaluation.rows, at, &mut self.values);

@@ -1,5 +1,7 @@
 //! The first guess of an attempt.
 
+use super::hold::hold_loose;
+use super::iterate::HOLD;
 use super::scratch::{Scratch, solver};
 use crate::evaluate::{Evaluation, look_at};
 use crate::predict;
@@ -43,6 +45,7 @@ impl Scratch {
         self.dt = target.dt;
         self.negative_pivots = 0;
         (self.factored, self.nearly_there) = (false, false);
+        self.hold_of_loose = HOLD;
         self.thrown = false;
         self.secants.begin(target.attempt == 1, committed.by_secants);
         let times = (target.step_time, target.dt);
@@ -75,7 +78,11 @@ impl Scratch {
     /// Leaves bodies where they are that the first guess takes out of contact, and that nothing else holds.
     fn lets_go(&mut self, plan: &Problem<'_>, committed: &State) -> bool {
         let guess = (committed, Some(&self.evaluation.points[..]));
-        predict::let_go(plan, guess, &mut self.u)
+        let some = predict::let_go(plan, guess, &mut self.u);
+        if some {
+            plan.constraints.enforce(&self.turns, &mut self.u);
+        }
+        some
     }
 
     /// Where the last increment cannot be repeated, for an element would fail: a first guess
@@ -115,6 +122,8 @@ impl Scratch {
         if self.correction.iter().all(|&value| value == 0.0) {
             return;
         }
+        let Evaluation { rows, tangent, .. } = &mut self.evaluation;
+        hold_loose(plan, (rows, HOLD), tangent);
         let solver = solver(&mut self.systems);
         let factored = solver.refactor(plan.pattern, &self.evaluation.tangent);
         if factored.is_ok() && solver.solve(&mut self.correction).is_ok() {

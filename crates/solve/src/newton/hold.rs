@@ -1,6 +1,8 @@
-//! Relaxation: unknowns held back by springs from where a step began.
+//! What holds unknowns: springs from where a step began, where it is relaxed, and springs on loose bodies from where an
+//! iteration begins.
 
 use super::scratch::Scratch;
+use crate::constraints::Rows;
 use crate::problem::Problem;
 
 impl Scratch {
@@ -32,4 +34,19 @@ impl Scratch {
             }
         }
     }
+}
+
+/// Adds springs that hold loose bodies where they are, with so much of the stiffness of the stiffest element, to matrix values: what
+/// is unbalanced knows nothing of them, and of all places that contact leaves they take the one next to it. docs/theory.md eq. (8.37).
+pub(super) fn hold_loose(plan: &Problem<'_>, (rows, part): (&Rows, f64), values: &mut [f64]) {
+    for dof in plan.loose.dofs() {
+        let own = stiffness_on_loose(plan, part, dof);
+        plan.scatter(rows, &[dof], |_, _| own, values);
+    }
+}
+
+/// That of the spring on a dof of a loose body [F/L or F L].
+pub(super) fn stiffness_on_loose(plan: &Problem<'_>, part: f64, dof: usize) -> f64 {
+    let length = if plan.dofs.is_rotation(dof) { plan.structure.stiffest_length } else { 1.0 };
+    part * plan.structure.stiffest * length * length
 }

@@ -1,11 +1,11 @@
 //! One iteration: assemble, factor, solve, move, evaluate.
 
+use super::hold::stiffness_on_loose;
 use super::multipliers::context;
 use super::scratch::{Scratch, solver};
 use crate::evaluate::Evaluation;
 use crate::linearised::Stiffness;
 use crate::problem::Problem;
-use crate::restraint::loose::Stand;
 use crate::state::State;
 use slideline_linalg::SolveError;
 use slideline_mech::contact::enforcement::Enforcement;
@@ -19,6 +19,14 @@ const MOST_DENSE: usize = 1000;
 const FAR: f64 = 1e2;
 /// Rounds in which an iteration takes in points that it had left alone, before it takes in all.
 const WAKINGS: usize = 3;
+
+/// Stiffness that holds loose bodies where an iteration begins, in that of the stiffest element [1]: small against the softest
+/// way in which a part bends, and large against rounding. (choice)
+pub(super) const HOLD: f64 = 1e-10;
+/// So many times that, one after the other, where the contact problem is not solved with it [1]. (choice)
+const FIRMER: [u32; 2] = [1_000, 1_000_000];
+/// Part of the work on loose bodies that their springs must do at least to be all that holds one [1]. (choice)
+const SHARE: f64 = 0.5;
 
 impl Scratch {
     /// The correction that the factored tangent and contact, solved exactly,
@@ -68,12 +76,37 @@ impl Scratch {
         }
         let free = self.enforcement == Enforcement::MatrixFree && plan.enforcement.is_none();
         let lost = done.is_err() || !self.contact.is_solved();
-        if self.outside() || !free || !lost || self.points.len() > MOST_DENSE {
-            return done;
+        if !self.outside() && free && lost && self.points.len() <= MOST_DENSE {
+            self.only_dense = true;
+            self.factor(plan, committed)?;
+            done = self.contact_step(plan, committed, dt);
         }
-        self.only_dense = true;
-        self.factor(plan, committed)?;
-        self.contact_step(plan, committed, dt)
+        done?;
+        self.hold_loose_firmer(plan, committed, dt)
+    }
+
+    /// Solves once more with loose bodies held firmer where the contact problem was not solved: the stiffness that is lent to
+    /// their points is next to all that they feel.
+    fn hold_loose_firmer(
+        &mut self,
+        plan: &Problem<'_>,
+        committed: &State,
+        dt: f64,
+    ) -> Result<(), SolveError> {
+        if plan.loose.is_empty() {
+            return Ok(());
+        }
+        let mut done = Ok(());
+        for hold in FIRMER.into_iter().map(|times| HOLD * f64::from(times)) {
+            if self.outside() || self.contact.is_solved() || done.is_err() {
+                break;
+            }
+            self.hold_of_loose = hold;
+            done = self.factor(plan, committed);
+            done = done.and_then(|()| self.contact_step(plan, committed, dt));
+        }
+        self.hold_of_loose = HOLD;
+        done
     }
 
     /// Whether the solution opens pairs that pressed; they are noted. Their geometry, taken at
@@ -97,22 +130,15 @@ impl Scratch {
         dt: f64,
     ) -> Result<(), SolveError> {
         self.stand();
-        for round in 0.. {
-            self.linear_step(plan, committed, dt)?;
-            if self.evaluation.failed.is_some() {
-                return Ok(()); // the tangent, which was left until now
-            }
-            if self.outside() || !self.wakes_idle(plan) {
-                break;
-            }
-            // what was left alone may touch within this step, and hold what this one throws; a step of
-            // inserted laws is a direction that is searched, along which all are asked
-            if round == WAKINGS || plan.inserts_laws() {
-                self.evaluation.look.forget();
-            }
-            self.evaluate(plan, committed, dt);
+        self.solve_awake(plan, committed, dt)?;
+        if let Some(fallen) = self.falls(plan, committed) {
+            self.augment(plan, committed, fallen)?;
+            self.solve_awake(plan, committed, dt)?;
+            self.falls(plan, committed).map_or(Ok(()), Err)?;
         }
-        self.rest_loose(plan, committed);
+        if self.evaluation.failed.is_some() {
+            return Ok(());
+        }
         self.stay_near(plan)?;
         if self.outside() {
             return Ok(());
@@ -134,49 +160,50 @@ impl Scratch {
         Ok(())
     }
 
-    /// Lets bodies rest along motions that neither supports nor what presses on them oppose, but for what takes them out of what
-    /// they touch: the equations do not tell where they are, and rounding would move them.
-    fn rest_loose(&mut self, plan: &Problem<'_>, committed: &State) {
-        if plan.loose.is_empty() || !self.dashpots.is_empty() || self.outside() {
-            return;
+    /// The linear step, with all that it may close: what was left alone may touch within it, and hold what it throws.
+    fn solve_awake(
+        &mut self,
+        plan: &Problem<'_>,
+        committed: &State,
+        dt: f64,
+    ) -> Result<(), SolveError> {
+        for round in 0.. {
+            self.linear_step(plan, committed, dt)?;
+            let has_failed = self.evaluation.failed.is_some(); // the tangent, which was left until now
+            if has_failed || self.outside() || !self.wakes_idle(plan) {
+                break;
+            }
+            // a step of inserted laws is a direction that is searched, along which all are asked
+            if round == WAKINGS || plan.inserts_laws() {
+                self.evaluation.look.forget();
+            }
+            self.evaluate(plan, committed, dt);
         }
-        let floor = self.floors(plan, committed)[0];
-        let Self { evaluation, points, correction, u, .. } = self;
-        let stand = Stand { model: plan.model, dofs: plan.dofs, u };
-        let pair_of = |place: usize| plan.contact.parent(plan.contact.points[place].pair);
-        for body in plan.loose {
-            let own = || points.iter().filter(|own| body.belongs_to(pair_of(own.place)));
-            let mut free = body.place(stand);
-            for own in own().filter(|own| own.pressure != 0.0) {
-                let rows = evaluation.kinematics.at(own.place).rows;
-                free.oppose(rows.unknowns, rows.normal());
-                let laws = plan.contact.laws_of(pair_of(own.place), &committed.points[own.place]);
-                let slips = if laws.has_friction() { rows.directions() } else { 0 };
-                (0..slips).for_each(|k| free.oppose(rows.unknowns, rows.slip(k)));
-            }
-            let Some(moves) = free.part_in(correction, (|dof| evaluation.structure[dof], floor))
-            else {
-                continue;
-            };
-            // as much of it as takes the body out of what it stands in
-            let mut kept = 0.0_f64;
-            for own in own().filter(|own| own.pressure == 0.0) {
-                let now = evaluation.kinematics.at(own.place);
-                let (dofs, row) = (now.rows.unknowns, now.rows.normal());
-                let of = |(&dof, &factor): (&usize, &f64)| {
-                    plan.constraints.equation(dof).map_or(0.0, |own| factor * correction[own])
-                };
-                let all: f64 = dofs.iter().zip(row).map(of).sum();
-                let by_it = free.seen_by(&moves, (dofs, row));
-                let left = now.overclosure + all - by_it;
-                if now.faces && left > 0.0 && by_it < 0.0 {
-                    kept = kept.max(-left / by_it);
-                }
-            }
-            if !free.are_opposed() || free.move_far(&moves) {
-                free.take(&moves, 1.0 - kept.min(1.0), correction);
-            }
+        Ok(())
+    }
+
+    /// What is said of the tangent where the springs on loose bodies do the work against what is unbalanced: nothing but contact
+    /// that is still open would hold one.
+    fn falls(&mut self, plan: &Problem<'_>, committed: &State) -> Option<SolveError> {
+        let has_failed = self.outside() || self.evaluation.failed.is_some();
+        if plan.loose.is_empty() || !self.dashpots.is_empty() || has_failed {
+            return None;
         }
+        self.expand_correction(plan);
+        let (moved, forces) = (&self.correction_dofs, &self.evaluation.structure);
+        let held = |dof: usize| stiffness_on_loose(plan, HOLD, dof) * moved[dof] * moved[dof];
+        let held: f64 = plan.loose.dofs().map(held).sum();
+        let unknown = || plan.loose.iter().flat_map(|body| body.unknowns());
+        let work: f64 = unknown().map(|dof| -forces[dof] * moved[dof]).sum();
+        if !(held > SHARE * work && work > SHARE * held) {
+            return None;
+        }
+        let most = unknown().map(|dof| forces[dof].abs()).fold(0.0, f64::max);
+        let way = |dof: usize| moved[dof].abs();
+        let dof = unknown().max_by(|a, b| way(*a).total_cmp(&way(*b)))?;
+        let equation = plan.constraints.equation(dof)?;
+        let loaded = most > self.floors(plan, committed)[0];
+        loaded.then(|| SolveError::Singular { equation, ratio: plan.reach / way(dof) })
     }
 
     /// Takes a system of parts in contact whose correction throws a node far out of the model for

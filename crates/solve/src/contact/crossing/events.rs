@@ -20,7 +20,6 @@ use slideline_mech::contact::search::faces::near_way;
 use slideline_mech::contact::search::outlook::Outlook;
 use slideline_mech::contact::search::pass::cross_faces;
 use slideline_mech::contact::search::sweep::{apart, cross_parts};
-use slideline_mech::surface::mesh::FaceMesh;
 use slideline_mech::turn::Turn;
 use slideline_mech::vector::{size, sub};
 
@@ -138,7 +137,8 @@ impl Contact {
                     cross_faces(mesh, positions, faces, (way[0], way[1]), |crossing| {
                         let (normal, inward) = (crossing.normal, crossing.inward);
                         let (fraction, at) = (share(crossing.fraction), way[0]);
-                        let past = parts as f64 * way_past(mesh, positions, crossing.segment, way);
+                        let nodes = &mesh.faces()[crossing.segment].nodes;
+                        let past = parts as f64 * way_past(nodes, positions, way);
                         let event = Event { fraction, along: 0.0, normal, at, inward, past };
                         events.push((place, event));
                     });
@@ -155,13 +155,15 @@ impl Contact {
                     let range = *offset..offset + nodes.len();
                     let positions = (&chains[0].nodes[range.clone()], &chains[1].nodes[range]);
                     chain.near_way(chains[0].tree(pair), (way[0], way[1]), near);
-                    let parts = near.iter().copied().filter(|&p| chain.is_own(p) && stops(&p));
-                    cross_parts(positions, parts, (way[0], way[1]), |crossing| {
+                    let own = near.iter().copied().filter(|&p| chain.is_own(p) && stops(&p));
+                    cross_parts(positions, own, (way[0], way[1]), |crossing| {
                         let start = chain.arc_coordinate(crossing.segment);
                         let own = crossing.parameter * chain.reference_length(crossing.segment);
                         let (normal, inward) = (crossing.normal, crossing.inward);
                         let (fraction, along) = (share(crossing.fraction), start + own);
-                        let (at, past) = (way[0], f64::INFINITY);
+                        let ends = [crossing.segment, crossing.segment + 1];
+                        let past = parts as f64 * way_past(&ends, positions, way);
+                        let at = way[0];
                         events.push((place, Event { fraction, along, normal, at, inward, past }));
                     });
                 }
@@ -170,16 +172,15 @@ impl Contact {
     }
 }
 
-/// How far a point goes past a face on its way, at most [L].
+/// How far a point goes past the nodes of a face on its way, at most [L].
 fn way_past(
-    mesh: &FaceMesh,
+    nodes: &[usize],
     (before, after): (&[[f64; 3]], &[[f64; 3]]),
-    face: usize,
     way: [[f64; 3]; 2],
 ) -> f64 {
     let moved = sub(way[1], way[0]);
     let past = |&node: &usize| size(sub(moved, sub(after[node], before[node])));
-    mesh.faces()[face].nodes.iter().map(past).fold(0.0, f64::max)
+    nodes.iter().map(past).fold(0.0, f64::max)
 }
 
 /// The crossings of the way of a slave node through a rigid surface, by what its faces look at.
