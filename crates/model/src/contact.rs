@@ -15,7 +15,7 @@ use slideline_mech::surface::mesh::MeshFace;
 /// Points, a master, and what happens between them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactPair {
-    /// Name: the contact element set, or the names of both surfaces.
+    /// Name: the contact element set, or the names of both surfaces, behind them # and a number if this is a piece of the master.
     pub name: String,
     /// Where contact is sampled.
     pub formulation: Formulation,
@@ -72,6 +72,16 @@ pub enum Adjust {
 }
 
 impl ContactPair {
+    /// What the deck calls it: its name without the number of a piece.
+    pub fn title(&self) -> &str {
+        self.name.rsplit_once('#').map_or(&self.name, |(title, _)| title)
+    }
+
+    /// Whether a card that names a pair so means this one.
+    pub fn is_called(&self, name: &str) -> bool {
+        self.name == name || self.title() == name
+    }
+
     /// Axes of space at a place of the slave surface; those of the model where none are given.
     pub fn axes_of_slave(&self, at: [f64; 3]) -> Axes {
         self.axes[0].map_or(PLAIN, |own| own.at(&[], at))

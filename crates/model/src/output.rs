@@ -165,7 +165,8 @@ pub struct ContactPrint {
 impl ContactPrint {
     /// Whether it is of that pair.
     pub fn wants(&self, pair: &ContactPair) -> bool {
-        let (slave, master) = pair.name.split_once('/').unwrap_or((&pair.name, &pair.name));
+        let name = pair.title();
+        let (slave, master) = name.split_once('/').unwrap_or((name, name));
         let is = |wanted: &String, own: &str| wanted.is_empty() || wanted == own;
         is(&self.surfaces[0], slave) && is(&self.surfaces[1], master)
     }

@@ -12,7 +12,9 @@ pub(super) fn clearances(draft: &mut Draft) {
     for clearance in std::mem::take(&mut draft.clearances) {
         let Clearance { slave, master, value, origin } = clearance;
         let name = format!("{}/{}", slave.name, master.name);
-        let Some(pair) = draft.model.contact_pairs.iter_mut().find(|pair| pair.name == name) else {
+        let pairs = draft.model.contact_pairs.iter().enumerate();
+        let own: Vec<usize> = pairs.filter(|own| own.1.is_called(&name)).map(|own| own.0).collect();
+        let Some(pair) = own.first().map(|&first| &draft.model.contact_pairs[first]) else {
             let message = format!("there is no contact pair of {} on {}", slave.name, master.name);
             let error = Diagnostic::error(Code("SL0392"), message).at(origin);
             let help = "SLAVE and MASTER are the surfaces of a line of *CONTACT PAIR";
@@ -35,6 +37,8 @@ pub(super) fn clearances(draft: &mut Draft) {
             draft.consequence(Subject::Contact, error.help(help));
             continue;
         }
-        pair.adjust = Adjust::Clearance(value);
+        for place in own {
+            draft.model.contact_pairs[place].adjust = Adjust::Clearance(value);
+        }
     }
 }

@@ -12,31 +12,34 @@ use crate::rule::Subject;
 pub(super) fn interferences(step: &StepDraft, draft: &mut Draft) -> Vec<Interference> {
     let mut found: Vec<Interference> = Vec::new();
     for card in &step.interferences {
-        let Some(own) = interference(card, draft) else { continue };
-        let again = found.iter().any(|other| other.pair == own.pair);
+        let own = of_card(card, draft);
+        let again = found.iter().any(|other| own.iter().any(|own| own.pair == other.pair));
         match again {
             true => refuse(card, "a second interference of one pair in one step", draft),
-            false => found.push(own),
+            false => found.extend(own),
         }
     }
     found
 }
 
-fn interference(card: &InterferenceCard, draft: &mut Draft) -> Option<Interference> {
+/// Those of a card: one, or one for each piece of the master.
+fn of_card(card: &InterferenceCard, draft: &mut Draft) -> Vec<Interference> {
     let name = format!("{}/{}", card.slave.name, card.master.name);
-    let pairs = &draft.model.contact_pairs;
-    let Some(pair) = pairs.iter().position(|pair| pair.name == name) else {
+    let pairs = draft.model.contact_pairs.iter().enumerate();
+    let own: Vec<usize> = pairs.filter(|own| own.1.is_called(&name)).map(|own| own.0).collect();
+    if own.is_empty() {
         let message = format!("there is no contact pair {name}");
         refuse(card, &message, draft);
-        return None;
-    };
+        return Vec::new();
+    }
     if card.value.is_none() && !draft.model.steps.is_empty() {
         refuse(card, "SHRINK takes away what overlaps in the undeformed model", draft);
-        return None;
+        return Vec::new();
     }
     let amplitude = card.amplitude.as_ref().and_then(|named| amplitude(named, draft));
     let allowed = card.value.map_or(Allowed::Initial, Allowed::Value);
-    Some(Interference { pair, allowed, amplitude, origin: card.origin })
+    let of_pair = |pair| Interference { pair, allowed, amplitude, origin: card.origin };
+    own.into_iter().map(of_pair).collect()
 }
 
 fn refuse(card: &InterferenceCard, message: &str, draft: &mut Draft) {

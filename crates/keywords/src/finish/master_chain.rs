@@ -28,7 +28,8 @@ pub(super) fn slide_line(
     draft: &mut Draft,
 ) -> Option<SlideLine> {
     let whole = one_face_each(pairing, facets, draft)?;
-    let mut whole = within_reach(whole, slaves, draft);
+    let ends: Vec<_> = slaves.iter().map(|own| own.nodes).collect();
+    let mut whole = within_reach(whole, &ends, draft);
     if let Err(broken @ Broken::Apart(_)) = Chain::find(&whole) {
         let said = of_no_chain(pairing, (surface, &whole), broken, draft);
         join(&mut whole, &said, draft);
@@ -79,7 +80,11 @@ pub(super) fn slide_line(
 
 /// The faces that something may meet: not the walls of hollows in which nothing stands, nor what is outside
 /// a hollow in which all does.
-fn within_reach(facets: Vec<Facet>, slaves: &[ContactElement], draft: &Draft) -> Vec<Facet> {
+pub(super) fn within_reach(
+    facets: Vec<Facet>,
+    places: &[[NodeIndex; 2]],
+    draft: &Draft,
+) -> Vec<Facet> {
     let nodes = &draft.model.nodes;
     let ends: Vec<_> = facets.iter().map(|facet| facet.nodes).collect();
     let pieces = joined(&ends);
@@ -88,9 +93,8 @@ fn within_reach(facets: Vec<Facet>, slaves: &[ContactElement], draft: &Draft) ->
         (own.iter().map(|&face| ends[face]).collect(), of_solids)
     };
     let outlines = Outlines::new(&pieces.iter().map(piece).collect::<Vec<_>>(), nodes);
-    let places: Vec<_> = slaves.iter().map(|own| own.nodes).collect();
     let mut met = vec![false; pieces.len()];
-    for own in joined(&places) {
+    for own in joined(places) {
         let own: Vec<NodeIndex> = own.into_iter().flat_map(|place| places[place]).collect();
         met.iter_mut().zip(outlines.met_by(&own, nodes)).for_each(|(met, may)| *met |= may);
     }
@@ -199,7 +203,7 @@ fn undecided(pairing: &Pairing, message: String, help: &str, draft: &mut Draft) 
 
 /// Makes a chain or a ring of pieces of faces of solids, where an end of one is at the end of another: that
 /// node then stands for both. Whether they are one is known when links are: `said` is the complaint if not.
-fn join(facets: &mut [Facet], said: &Diagnostic, draft: &mut Draft) {
+pub(super) fn join(facets: &mut [Facet], said: &Diagnostic, draft: &mut Draft) {
     if facets.iter().any(|facet| facet.face.is_none()) {
         return;
     }
@@ -242,7 +246,7 @@ fn not_a_chain(
     draft.consequence(Subject::Elements, said);
 }
 
-fn of_no_chain(
+pub(super) fn of_no_chain(
     pairing: &Pairing,
     (surface, facets): (&NamedSurface, &[Facet]),
     broken: Broken,

@@ -49,6 +49,7 @@ mod own_contact;
 mod own_surface;
 mod owners;
 mod perturbation;
+mod pieces;
 mod point_masses;
 mod pre_tension;
 mod pressures;

@@ -80,7 +80,7 @@ impl Absent {
             }
             Changed::Pairs(named) => {
                 for (surfaces, span) in named {
-                    if let Some(own) = pair_of(surfaces, *span, draft) {
+                    for own in pairs_of_surfaces(surfaces, *span, draft) {
                         self.pair(own, (card.act, *span), now, draft);
                     }
                 }
@@ -308,24 +308,25 @@ fn pairs_of(labels: Vec<u64>, span: Span, draft: &mut Draft) -> Vec<usize> {
     found
 }
 
-/// The contact pair of two surfaces; complains where there is none.
-fn pair_of([slave, master]: &[Named; 2], span: Span, draft: &mut Draft) -> Option<usize> {
+/// The contact pair of two surfaces, or those of the pieces of the master; complains where there is none.
+fn pairs_of_surfaces([slave, master]: &[Named; 2], span: Span, draft: &mut Draft) -> Vec<usize> {
     let pairs = &draft.model.contact_pairs;
-    let place = |slave: &str, master: &str| {
+    let places = |slave: &str, master: &str| -> Vec<usize> {
         // a surface that meets itself has its name alone
         let meets_itself = slave == master;
         let name = if meets_itself { slave.to_owned() } else { format!("{slave}/{master}") };
-        pairs.iter().position(|pair| pair.name == name)
+        let own = pairs.iter().enumerate().filter(|(_, pair)| pair.is_called(&name));
+        own.map(|(place, _)| place).collect()
     };
-    let found = place(&slave.name, &master.name);
-    if found.is_some() {
+    let found = places(&slave.name, &master.name);
+    if !found.is_empty() {
         return found;
     }
     let message = format!("there is no contact pair of {} and {}", slave.name, master.name);
     let error = Diagnostic::error(Code("SL0381"), message).at(span);
-    let help = match place(&master.name, &slave.name) {
-        Some(_) => format!("the slave comes first: {}, {}", master.name, slave.name),
-        None => {
+    let help = match places(&master.name, &slave.name).is_empty() {
+        false => format!("the slave comes first: {}, {}", master.name, slave.name),
+        true => {
             let names: Vec<String> = pairs.iter().map(|own| own.name.replace('/', ", ")).collect();
             match names.is_empty() {
                 true => "the deck has no *CONTACT PAIR".to_owned(),
@@ -334,7 +335,7 @@ fn pair_of([slave, master]: &[Named; 2], span: Span, draft: &mut Draft) -> Optio
         }
     };
     draft.consequence(Subject::Contact, error.help(help));
-    None
+    Vec::new()
 }
 
 /// Where elements stand in the model, by their numbers.

@@ -35,6 +35,7 @@ use super::master_chain::slide_line;
 use super::orientations::of_pair;
 use super::own_surface::own_surface;
 use super::owners::bodies;
+use super::pieces::{numbered, pieces};
 use super::remarks::remarks;
 use super::sides::{Parts, Sides, Slaves, areas_of_nodes, is_of_solids, refuse};
 use super::spread::spread;
@@ -159,15 +160,21 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
         }
         given => given,
     };
-    let parts = match formulation {
-        Formulation::NodeToSurface => at_nodes(pairing, &sides, (first, second), draft),
-        Formulation::Mortar => spread(pairing, &sides, (first, second), draft),
-        Formulation::SurfaceToSurface => along(pairing, &sides, (first, second), draft),
-    };
-    let (Some(parts), Some(offset)) = (parts, offset) else { return };
-    if half_thickness::fits((pairing, formulation), offset, &parts.1, draft) {
-        let law = (interaction, thickness, vocabulary);
-        put_together((pairing, formulation), parts, (law, offset), draft);
+    let masters = pieces(pairing, &sides.master, (&first, second), draft);
+    let count = masters.len();
+    for (piece, second) in masters.into_iter().enumerate() {
+        let first = first.clone();
+        let parts = match formulation {
+            Formulation::NodeToSurface => at_nodes(pairing, &sides, (first, second), draft),
+            Formulation::Mortar => spread(pairing, &sides, (first, second), draft),
+            Formulation::SurfaceToSurface => along(pairing, &sides, (first, second), draft),
+        };
+        let (Some(parts), Some(offset)) = (parts, offset) else { return };
+        if half_thickness::fits((pairing, formulation), offset, &parts.1, draft) {
+            let law = (interaction.clone(), thickness, vocabulary);
+            let piece = (count > 1).then_some(piece);
+            put_together((pairing, formulation, piece), parts, (law, offset), draft);
+        }
     }
 }
 
@@ -181,16 +188,16 @@ fn itself(pairing: &Pairing, surface: &NamedSurface, interaction: Interaction, d
     let Some(parts) = own_surface(pairing, surface, found, draft) else { return };
     let formulation = Formulation::NodeToSurface;
     let law = (interaction, thickness, Vocabulary::Faces);
-    put_together((pairing, formulation), parts, (law, Offset::NONE), draft);
+    put_together((pairing, formulation, None), parts, (law, Offset::NONE), draft);
 }
 
 /// What happens between the sides of a pair: its interaction, its thickness out of the plane where the
 /// slaves give one, the words for it.
 type Law = (Interaction, Option<f64>, Vocabulary);
 
-/// The pair of these slaves and this master.
+/// The pair of these slaves and this master, or this piece of it.
 fn put_together(
-    (pairing, formulation): (&Pairing, Formulation),
+    (pairing, formulation, piece): (&Pairing, Formulation, Option<usize>),
     (slaves, master): (Slaves, Master),
     ((interaction, thickness, vocabulary), offset): (Law, Offset),
     draft: &mut Draft,
@@ -219,9 +226,11 @@ fn put_together(
         }
         _ => Vec::new(),
     };
+    let of_master = piece.map(|piece| numbered(&pairing.master.name, piece));
+    let of_master = of_master.as_ref().unwrap_or(&pairing.master.name);
     let name = match pairing.slave.name == pairing.master.name {
         true => pairing.slave.name.clone(),
-        false => format!("{}/{}", pairing.slave.name, pairing.master.name),
+        false => format!("{}/{of_master}", pairing.slave.name),
     };
     let Some(axes) = of_pair(pairing, &master, draft) else { return };
     let pair = ContactPair {

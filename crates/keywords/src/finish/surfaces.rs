@@ -20,6 +20,7 @@ use crate::rule::Subject;
 use crate::surfaces::{Extent, Named, NamedSurface, Side, Stretch};
 
 /// A surface whose references are resolved.
+#[derive(Clone)]
 pub(super) enum Found {
     Facets(Vec<Facet>),
     /// Faces of solids in space.

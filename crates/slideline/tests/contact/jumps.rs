@@ -41,7 +41,9 @@ fn a_master_of_elements_is_not_passed_in_one_increment() {
     let pair = |kind: &str, roles: &str| {
         format!("*CONTACT PAIR, INTERACTION=I, TYPE={kind} TO SURFACE\n{roles}\n")
     };
-    let general = "*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n*CONTACT PROPERTY ASSIGNMENT\n, , I\n".to_owned();
+    let general =
+        "*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n*CONTACT PROPERTY ASSIGNMENT\n, , I\n"
+            .to_owned();
     let mut peaks = Vec::new();
     for (contact, rigid) in [
         (pair("SURFACE", "A, B"), false),

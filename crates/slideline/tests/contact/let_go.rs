@@ -269,8 +269,7 @@ fn rows_of_blocks_stay_when_the_push_ends() {
         part("C", 3001, 6.15);
         text += MATERIAL;
         text += GENERAL;
-        let all: String =
-            [1001, 2001, 3001].map(|base| format!("{base}, {}\n", base + 8)).concat();
+        let all: String = [1001, 2001, 3001].map(|base| format!("{base}, {}\n", base + 8)).concat();
         let go = format!("*BOUNDARY, AMPLITUDE=GO\nGRIP, 1, 1, {:?}\n", 0.6 * unit);
         let _ = write!(
             text,
@@ -286,7 +285,10 @@ fn rows_of_blocks_stay_when_the_push_ends() {
                 last.nodes.iter().filter(|own| (base..base + 9).contains(&own.0)).collect();
             let along = own.iter().map(|own| own.2[0]).sum::<f64>() / own.len() as f64;
             let right = unit * (0.6 * most - gap);
-            assert!((along - right).abs() < 1e-6 * unit, "{increments} {base}: {along}, not {right}");
+            assert!(
+                (along - right).abs() < 1e-6 * unit,
+                "{increments} {base}: {along}, not {right}"
+            );
         }
     }
 }

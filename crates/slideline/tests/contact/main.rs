@@ -38,6 +38,7 @@ mod no_separation;
 mod noise;
 mod own_parts;
 mod pairs_that_leave;
+mod pieces;
 mod pressed_on_planes;
 mod profiles;
 mod ridges;

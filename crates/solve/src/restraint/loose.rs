@@ -81,7 +81,8 @@ impl Restraint {
         (model, step): (&Model, &Step),
         (dofs, is_unknown): (&DofMap, impl Fn(usize) -> bool),
     ) -> LooseBodies {
-        let (mut found, mut roots, mut owner) = (LooseBodies::default(), Vec::new(), HashMap::new());
+        let (mut found, mut roots, mut owner) =
+            (LooseBodies::default(), Vec::new(), HashMap::new());
         for root in self.roots() {
             let free = self.motions(root);
             if free.is_empty() || self.is_sprung(model, step, root) {

@@ -1,0 +1,54 @@
+//! Masters in the plane that are in several pieces.
+//!
+//! ```text
+//!         | |
+//!      __ |_| __       a plug in a slot, both walls one surface
+//!     |  |   |  |
+//! ```
+
+use crate::let_go::block;
+use crate::space_decks::solved;
+
+/// A plug between two walls that is moved down and to one of them, then to the other one.
+fn deck(surfaces: &str, pairs: &str, cards: &str) -> String {
+    let mut text = "*HEADING\nslot\n".to_owned();
+    block(&mut text, ("LEFT", 1), [3, 3], [[-2.0, 0.0], [-0.5, 1.0]]);
+    block(&mut text, ("RIGHT", 101), [3, 3], [[0.5, 0.0], [2.0, 1.0]]);
+    block(&mut text, ("PLUG", 1001), [4, 6], [[-0.45, 1.1], [0.45, 3.0]]);
+    format!(
+        "{text}*MATERIAL, NAME=M\n*ELASTIC\n1000., .3\n*SURFACE INTERACTION, NAME=I\n*FRICTION\n0.2\n*SURFACE, NAME=P\nPLUG,\n{surfaces}{pairs}\
+         *NSET, NSET=BASE, GENERATE\n1, 4\n101, 104\n*NSET, NSET=GRIP, GENERATE\n1031, 1035\n*BOUNDARY\nBASE, 1, 2\n\
+         *STEP, NLGEOM\n*STATIC\n.1, 1., , .1\n{cards}*BOUNDARY\nGRIP, 1, 1, .08\nGRIP, 2, 2, -1.5\n*END STEP\n\
+         *STEP, NLGEOM\n*STATIC\n.1, 1., , .1\n*BOUNDARY\nGRIP, 1, 1, -.08\n*END STEP\n"
+    )
+}
+
+/// Requirement: one surface of both walls of a slot is as two surfaces with a pair each, over faces and at nodes, and cards that name
+/// the pair mean both. Source: the deck with two. It was refused (SL0329). Tolerance: rounding.
+#[test]
+fn walls_of_a_slot_may_be_one_surface() {
+    let apart = "*SURFACE, NAME=L\nLEFT,\n*SURFACE, NAME=R\nRIGHT,\n";
+    let one = "*SURFACE, NAME=B\nLEFT,\nRIGHT,\n";
+    for kind in ["SURFACE", "NODE"] {
+        let card = format!("*CONTACT PAIR, INTERACTION=I, TYPE={kind} TO SURFACE\n");
+        for allowed in [false, true] {
+            let cards = |masters: &[&str]| -> String {
+                let lines = masters.iter().map(|own| format!("P, {own}, .01\n"));
+                if allowed {
+                    format!("*CONTACT INTERFERENCE\n{}", lines.collect::<String>())
+                } else {
+                    String::new()
+                }
+            };
+            let two =
+                solved(&deck(apart, &format!("{card}P, L\n{card}P, R\n"), &cards(&["L", "R"])));
+            let pieces = solved(&deck(one, &format!("{card}P, B\n"), &cards(&["B"])));
+            assert_eq!(two.contact.len(), pieces.contact.len());
+            assert!(two.force()[0] > 1.0, "{:?}", two.force());
+            for (a, b) in two.nodes.iter().zip(&pieces.nodes) {
+                let off = (0..2).map(|k| (a.2[k] - b.2[k]).abs()).fold(0.0, f64::max);
+                assert!(a.0 == b.0 && off < 1e-9, "{kind} {allowed} {}: {off}", a.0);
+            }
+        }
+    }
+}
