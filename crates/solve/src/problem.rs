@@ -14,7 +14,7 @@ use crate::linear_systems::LinearSystems;
 use crate::linearised::LinearRows;
 use crate::loads::FaceLoads;
 use crate::plan::{Coupling, Numbering};
-use crate::restraint::loose::LooseBodies;
+use crate::restraint::loose::{Firmness, LooseBodies};
 use crate::start::Start;
 use crate::structure::{Gather, Structure};
 use crate::values::Values;
@@ -32,6 +32,9 @@ const LEAST_LEVER: f64 = 1e-6;
 /// Part of what a point's own node does to its gap that constraints may leave of it for the node to be one with the master [1].
 /// (choice)
 const JOINED: f64 = 1e-2;
+
+/// Part of the largest factor of a gap from which on a dof of its node counts [1]. (choice)
+const ALONG: f64 = 0.1;
 
 /// Part of a slave face by which held surfaces may overlap where the normals beside them turn [1]. (choice)
 const LITTLE: f64 = 0.01;
@@ -61,6 +64,8 @@ pub struct Problem<'a> {
     pub elastic: &'a [bool],
     /// Bodies that contact alone holds.
     pub loose: &'a LooseBodies,
+    /// How firm each of them is.
+    pub firmness: &'a [Firmness],
     /// Largest coordinate of the model [L].
     pub reach: f64,
     /// Length of the stiffest element, or else of the model [L].
@@ -137,6 +142,7 @@ impl<'a> Problem<'a> {
             near: &coupling.near,
             elastic: &plan.elastic,
             loose: &plan.loose[index],
+            firmness: &values.loose[index],
             reach: values.reach,
             lever: values.lever,
             units: &values.units[numbered],
@@ -247,7 +253,33 @@ impl<'a> Problem<'a> {
                 left += lever(self.moved_by(all(), rows, equation));
             });
         }
-        left < JOINED * whole
+        left < JOINED * whole || self.follows_master(node, (all, rows))
+    }
+
+    /// Whether a node follows nodes on the other side of the gap with these factors alone, a dof each.
+    fn follows_master<I: Iterator<Item = (usize, f64)>>(
+        &self,
+        node: usize,
+        (all, rows): (impl Fn() -> I, &Rows),
+    ) -> bool {
+        let most = all().fold(0.0_f64, |most, own| most.max(own.1.abs()));
+        let mut followed = 0;
+        for (dof, g) in all().filter(|own| own.1.abs() > ALONG * most) {
+            if self.dofs.name(dof).0 != node {
+                continue;
+            }
+            let mut all_across = matches!(self.constraints.roles[dof], Role::Dependent(_));
+            self.constraints.for_each_equation(rows, dof, &mut |equation: usize, a: f64| {
+                let leader = self.constraints.dof_of_equation[equation];
+                let is_across = all().any(|(other, factor)| other == leader && factor * g < 0.0);
+                all_across &= is_across || a.abs() < LEAST_LEVER;
+                followed += 1;
+            });
+            if !all_across {
+                return false;
+            }
+        }
+        followed > 0
     }
 
     /// Whether a point and its master are held where they are: what little it overlaps by is of normals that turn

@@ -12,6 +12,7 @@ use crate::constraints::Motion;
 use crate::contact::Contact;
 use crate::loads::FaceLoads;
 use crate::plan::{Numbering, Part, PlanMismatch};
+use crate::restraint::loose::Firmness;
 use crate::structure::Kernels;
 use crate::users::UserFrictions;
 use slideline_model::{ContactPair, Model, SurfaceSegment};
@@ -34,6 +35,8 @@ pub struct Values {
     /// Natural unit of each unknown, for every step of the plan: see
     /// [`Problem::units`](crate::problem::Problem::units).
     pub units: Vec<Vec<f64>>,
+    /// How firm loose bodies are, for every step of the model.
+    pub loose: Vec<Vec<Firmness>>,
 }
 
 impl Values {
@@ -81,7 +84,21 @@ impl Values {
             units.clear();
             units.extend(step.constraints.dof_of_equation.iter().map(unit));
         }
+        self.take_loose(plan, model);
         Ok(())
+    }
+
+    fn take_loose(&mut self, plan: &Numbering, model: &Model) {
+        let Self { kernels, loose, lever, .. } = self;
+        let others = Firmness { stiffness: kernels.stiffest, length: *lever };
+        loose.resize_with(plan.loose.len(), Vec::new);
+        for (into, bodies) in loose.iter_mut().zip(&plan.loose).filter(|own| !own.1.is_empty()) {
+            let elements = kernels.scales(&plan.elements).map(|(place, scale)| {
+                let (stiffness, length) = (scale.stiffness, scale.length.unwrap_or(others.length));
+                (place, Firmness { stiffness, length })
+            });
+            bodies.firmness(model, elements, (others, into));
+        }
     }
 }
 

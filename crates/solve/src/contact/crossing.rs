@@ -111,10 +111,8 @@ impl Contact {
             // little behind the faces
             let point = &self.points[place];
             let met = self.met_itself(point, &chains[1]);
-            let allowed = CUT * self.spacing[point.pair];
-            // nor is there a way behind a corner that another corner has just met
-            let is_deep = (1.0 - from.fraction) * from.past > allowed;
-            let beyond = is_deep && met.is_none_or(|depth| depth < -allowed);
+            let beyond = met.is_none_or(|depth| depth < -CUT * self.spacing[point.pair]);
+            let beyond = beyond && !self.meets_corner(point.pair, &from);
             return (beyond && from.fraction > 0.0).then_some(from.fraction);
         }
         if matches!(master, MasterSurface::Line { .. }) && now.along.is_some() {
@@ -132,6 +130,15 @@ impl Contact {
             }
             None => self.sinks(place, &from, sweep).then_some(from.fraction),
         }
+    }
+
+    /// Whether a point goes into a line at a corner of it, and no deeper than it may cut one.
+    fn meets_corner(&self, pair: usize, from: &Event) -> bool {
+        let MasterSurface::Line { chain, .. } = &self.masters[pair] else { return false };
+        let allowed = CUT * self.spacing[pair];
+        let (part, at) = chain.part_at(from.along);
+        let to_end = at.min(1.0 - at) * chain.reference_length(part);
+        to_end <= allowed && (1.0 - from.fraction) * from.past <= allowed
     }
 
     /// What a point faces at an end of the way, `inward` where it is closed or

@@ -192,8 +192,9 @@ impl Scratch {
     pub(super) fn assemble(&mut self, plan: &Problem<'_>, committed: &State) {
         self.take_tangents(plan, committed);
         self.stiffen(plan);
-        if self.dashpots.is_empty() {
-            hold_loose(plan, (&self.evaluation.rows, self.hold_of_loose), &mut self.values);
+        // where all points lend stiffness, a body that falls goes as far as contact lets it
+        if self.dashpots.is_empty() && !self.augment_all {
+            hold_loose(plan, (&self.evaluation.rows, self.hold), &mut self.values);
         }
         self.dashpots.stiffen(plan, &self.evaluation.rows, &mut self.values);
         let at = (&self.faces[..], &self.u[..], &self.turns[..]);

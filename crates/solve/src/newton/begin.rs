@@ -1,7 +1,6 @@
 //! The first guess of an attempt.
 
-use super::hold::hold_loose;
-use super::iterate::HOLD;
+use super::hold::{HOLD, hold_loose};
 use super::scratch::{Scratch, solver};
 use crate::evaluate::{Evaluation, look_at};
 use crate::predict;
@@ -45,7 +44,8 @@ impl Scratch {
         self.dt = target.dt;
         self.negative_pivots = 0;
         (self.factored, self.nearly_there) = (false, false);
-        self.hold_of_loose = HOLD;
+        let firm = target.attempt.clamp(1, HOLD.len()) - 1;
+        (self.least_hold, self.hold) = (HOLD[firm], HOLD[firm]);
         self.thrown = false;
         self.secants.begin(target.attempt == 1, committed.by_secants);
         let times = (target.step_time, target.dt);
@@ -123,7 +123,7 @@ impl Scratch {
             return;
         }
         let Evaluation { rows, tangent, .. } = &mut self.evaluation;
-        hold_loose(plan, (rows, HOLD), tangent);
+        hold_loose(plan, (rows, self.least_hold), tangent);
         let solver = solver(&mut self.systems);
         let factored = solver.refactor(plan.pattern, &self.evaluation.tangent);
         if factored.is_ok() && solver.solve(&mut self.correction).is_ok() {

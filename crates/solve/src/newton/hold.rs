@@ -5,6 +5,11 @@ use super::scratch::Scratch;
 use crate::constraints::Rows;
 use crate::problem::Problem;
 
+/// Stiffness that holds loose bodies where an iteration begins, in that of their own elements [1]: small against the softest
+/// way in which a part bends, and large against rounding. From attempt to attempt firmer: contact without friction leaves bodies that it
+/// presses on next to no stiffness along it, of either sign. (choice)
+pub(super) const HOLD: [f64; 3] = [1e-10, 1e-8, 1e-6];
+
 impl Scratch {
     /// Stiffness that relaxation gives an unknown [F/L or F L].
     pub(super) fn held_by(&self, plan: &Problem<'_>, equation: usize) -> f64 {
@@ -36,17 +41,22 @@ impl Scratch {
     }
 }
 
-/// Adds springs that hold loose bodies where they are, with so much of the stiffness of the stiffest element, to matrix values: what
-/// is unbalanced knows nothing of them, and of all places that contact leaves they take the one next to it. docs/theory.md eq. (8.37).
-pub(super) fn hold_loose(plan: &Problem<'_>, (rows, part): (&Rows, f64), values: &mut [f64]) {
-    for dof in plan.loose.dofs() {
-        let own = stiffness_on_loose(plan, part, dof);
-        plan.scatter(rows, &[dof], |_, _| own, values);
-    }
+/// The springs that hold loose bodies where they are, with so much of their own stiffness: dofs and stiffnesses [F/L or F L]. What is
+/// unbalanced knows nothing of them, and of all places that contact leaves they take the one next to it. docs/theory.md eq. (8.37).
+pub(super) fn springs_on_loose<'a>(
+    plan: &'a Problem<'_>,
+    part: f64,
+) -> impl Iterator<Item = (usize, f64)> + 'a {
+    plan.loose.iter().zip(plan.firmness).flat_map(move |(body, own)| {
+        let turning = own.length * own.length;
+        let of = move |dof| if plan.dofs.is_rotation(dof) { turning } else { 1.0 };
+        body.dofs().map(move |dof| (dof, part * own.stiffness * of(dof)))
+    })
 }
 
-/// That of the spring on a dof of a loose body [F/L or F L].
-pub(super) fn stiffness_on_loose(plan: &Problem<'_>, part: f64, dof: usize) -> f64 {
-    let length = if plan.dofs.is_rotation(dof) { plan.structure.stiffest_length } else { 1.0 };
-    part * plan.structure.stiffest * length * length
+/// Adds them to matrix values.
+pub(super) fn hold_loose(plan: &Problem<'_>, (rows, part): (&Rows, f64), values: &mut [f64]) {
+    for (dof, stiffness) in springs_on_loose(plan, part) {
+        plan.scatter(rows, &[dof], |_, _| stiffness, values);
+    }
 }

@@ -1,6 +1,6 @@
 //! One iteration: assemble, factor, solve, move, evaluate.
 
-use super::hold::stiffness_on_loose;
+use super::hold::{HOLD, springs_on_loose};
 use super::multipliers::context;
 use super::scratch::{Scratch, solver};
 use crate::evaluate::Evaluation;
@@ -20,11 +20,9 @@ const FAR: f64 = 1e2;
 /// Rounds in which an iteration takes in points that it had left alone, before it takes in all.
 const WAKINGS: usize = 3;
 
-/// Stiffness that holds loose bodies where an iteration begins, in that of the stiffest element [1]: small against the softest
-/// way in which a part bends, and large against rounding. (choice)
-pub(super) const HOLD: f64 = 1e-10;
-/// So many times that, one after the other, where the contact problem is not solved with it [1]. (choice)
-const FIRMER: [u32; 2] = [1_000, 1_000_000];
+/// So many times the stiffness that holds loose bodies, one after the other, where the contact problem is not solved with it [1].
+/// (choice)
+const FIRMER: [f64; 2] = [1e3, 1e6];
 /// Part of the work on loose bodies that their springs must do at least to be all that holds one [1]. (choice)
 const SHARE: f64 = 0.5;
 
@@ -65,6 +63,7 @@ impl Scratch {
         committed: &State,
         dt: f64,
     ) -> Result<(), SolveError> {
+        self.hold = self.least_hold;
         let mut done = self.factor(plan, committed);
         if done.is_ok() && !self.outside() {
             done = self.contact_step(plan, committed, dt);
@@ -93,20 +92,18 @@ impl Scratch {
         committed: &State,
         dt: f64,
     ) -> Result<(), SolveError> {
-        if plan.loose.is_empty() {
+        if plan.loose.is_empty() || !self.dashpots.is_empty() || self.augment_all {
             return Ok(());
         }
-        let mut done = Ok(());
-        for hold in FIRMER.into_iter().map(|times| HOLD * f64::from(times)) {
-            if self.outside() || self.contact.is_solved() || done.is_err() {
+        for times in FIRMER {
+            if self.outside() || self.contact.is_solved() {
                 break;
             }
-            self.hold_of_loose = hold;
-            done = self.factor(plan, committed);
-            done = done.and_then(|()| self.contact_step(plan, committed, dt));
+            self.hold = times * self.least_hold;
+            self.factor(plan, committed)?;
+            self.contact_step(plan, committed, dt)?;
         }
-        self.hold_of_loose = HOLD;
-        done
+        Ok(())
     }
 
     /// Whether the solution opens pairs that pressed; they are noted. Their geometry, taken at
@@ -131,10 +128,13 @@ impl Scratch {
     ) -> Result<(), SolveError> {
         self.stand();
         self.solve_awake(plan, committed, dt)?;
-        if let Some(fallen) = self.falls(plan, committed) {
-            self.augment(plan, committed, fallen)?;
+        if let Some(fault) = self.falls(plan, committed) {
+            // what hangs on a support is led nowhere by points far from it
+            if self.is_thrown_round(plan) {
+                return Err(fault);
+            }
+            self.augment(plan, committed, fault)?;
             self.solve_awake(plan, committed, dt)?;
-            self.falls(plan, committed).map_or(Ok(()), Err)?;
         }
         if self.evaluation.failed.is_some() {
             return Ok(());
@@ -186,16 +186,20 @@ impl Scratch {
     /// that is still open would hold one.
     fn falls(&mut self, plan: &Problem<'_>, committed: &State) -> Option<SolveError> {
         let has_failed = self.outside() || self.evaluation.failed.is_some();
-        if plan.loose.is_empty() || !self.dashpots.is_empty() || has_failed {
+        let is_held = self.dashpots.is_empty() && !self.augment_all;
+        if plan.loose.is_empty() || !is_held || has_failed {
             return None;
         }
         self.expand_correction(plan);
         let (moved, forces) = (&self.correction_dofs, &self.evaluation.structure);
-        let held = |dof: usize| stiffness_on_loose(plan, HOLD, dof) * moved[dof] * moved[dof];
-        let held: f64 = plan.loose.dofs().map(held).sum();
+        let springs = springs_on_loose(plan, self.hold);
+        let held: f64 = springs.map(|(dof, stiffness)| stiffness * moved[dof] * moved[dof]).sum();
         let unknown = || plan.loose.iter().flat_map(|body| body.unknowns());
         let work: f64 = unknown().map(|dof| -forces[dof] * moved[dof]).sum();
-        if !(held > SHARE * work && work > SHARE * held) {
+        // what else opposes it is less than the springs are at their weakest
+        let weakest = held * HOLD[0] / self.hold;
+        let is_unopposed = work > SHARE * held && work - held < weakest;
+        if !is_unopposed && !(work > 0.0 && self.is_thrown_round(plan)) {
             return None;
         }
         let most = unknown().map(|dof| forces[dof].abs()).fold(0.0, f64::max);
@@ -204,6 +208,17 @@ impl Scratch {
         let equation = plan.constraints.equation(dof)?;
         let loaded = most > self.floors(plan, committed)[0];
         loaded.then(|| SolveError::Singular { equation, ratio: plan.reach / way(dof) })
+    }
+
+    /// Whether a body that nothing presses on swings far about the support that it hangs on, until contact would stop it.
+    fn is_thrown_round(&self, plan: &Problem<'_>) -> bool {
+        let pair = |place: usize| plan.contact.parent(plan.contact.points[place].pair);
+        let presses = |body: usize| {
+            let own = |place: &usize| plan.loose.is_of_pair(body, pair(*place));
+            (0..self.pressures.len()).filter(own).any(|place| self.pressures[place] != 0.0)
+        };
+        let mut bodies = plan.loose.iter().enumerate();
+        bodies.any(|(k, own)| own.swings_far(&self.correction_dofs, plan.dofs) && !presses(k))
     }
 
     /// Takes a system of parts in contact whose correction throws a node far out of the model for

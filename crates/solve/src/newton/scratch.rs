@@ -118,8 +118,9 @@ pub struct Scratch {
     /// Most negative pivots of a symmetric factorisation in this attempt:
     /// directions in which the structure gives way.
     pub negative_pivots: usize,
-    /// Stiffness that holds loose bodies, in that of the stiffest element [1].
-    pub(super) hold_of_loose: f64,
+    /// Stiffness that holds loose bodies in an attempt, and in an iteration of it, in that of their own elements [1].
+    pub(super) least_hold: f64,
+    pub(super) hold: f64,
     /// Whether the last correction went along a motion that nothing holds.
     pub(super) thrown: bool,
     /// Whether the last iteration left so little that the next one is expected to find equilibrium.

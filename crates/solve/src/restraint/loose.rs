@@ -8,7 +8,7 @@
 //!
 //! docs/theory.md section 8.18. (derived)
 
-use super::rigid_motions::{DEPENDENT, Motion, named_motion};
+use super::rigid_motions::{DEPENDENT, Motion, named_motion, rank};
 use super::{Restraint, length};
 use crate::contact::Contact;
 use crate::dofs::DofMap;
@@ -18,6 +18,8 @@ use std::collections::HashMap;
 
 /// Part of the way of a body by which it may leave what pushes it and be said to touch it [1]. (choice)
 const HARDLY: f64 = 0.1;
+/// Part of its size by which a body swings far: a motion that is no longer straight [1]. (choice)
+const FAR: f64 = 0.1;
 /// Most motions of a body.
 const MOST: usize = 6;
 
@@ -29,6 +31,17 @@ pub struct LooseBodies {
     pairs: Vec<Meeting>,
     /// Two of them that ties join.
     tied: Vec<[usize; 2]>,
+    /// Which of them nodes belong to.
+    of_node: HashMap<NodeIndex, usize>,
+}
+
+/// How stiff and how large the elements of a body are.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Firmness {
+    /// Mean of the least and the largest EA/l, in logarithms [F/L].
+    pub stiffness: f64,
+    /// Length of the stiffest element [L].
+    pub length: f64,
 }
 
 /// What meets in a pair.
@@ -52,8 +65,11 @@ pub struct LooseBody {
     /// The node that they turn about, and the length in which they count turns [L].
     root: NodeIndex,
     size: f64,
-    /// Whether it turns about a support.
+    /// Whether it turns about a support, and whether it can do nothing else.
     swings: bool,
+    hangs: bool,
+    /// How far from that node it reaches, undeformed [L].
+    extent: f64,
 }
 
 /// A model with its dofs where they stand.
@@ -81,15 +97,14 @@ impl Restraint {
         (model, step): (&Model, &Step),
         (dofs, is_unknown): (&DofMap, impl Fn(usize) -> bool),
     ) -> LooseBodies {
-        let (mut found, mut roots, mut owner) =
-            (LooseBodies::default(), Vec::new(), HashMap::new());
+        let (mut found, mut roots) = (LooseBodies::default(), Vec::new());
         for root in self.roots() {
             let free = self.motions(root);
             if free.is_empty() || self.is_sprung(model, step, root) {
                 continue;
             }
             let members = self.members(model, root);
-            owner.extend(members.iter().map(|&node| (node, roots.len())));
+            found.of_node.extend(members.iter().map(|&node| (node, roots.len())));
             roots.push(root);
             // motions count by the way of what moves most
             let by_most = |motion: &Motion| {
@@ -97,7 +112,10 @@ impl Restraint {
                 Some(motion.map(|part| part / length(moved)))
             };
             let turns = free.iter().any(|own| own[3..].iter().any(|x| x.abs() > DEPENDENT));
+            let turning: Vec<Motion> = free.iter().map(turn_of).collect();
             let is_supported = self.rows.get(&root).is_some_and(|rows| !rows.is_empty());
+            let origin = model.nodes.position(root);
+            let from_root = |node: NodeIndex| distance(model.nodes.position(node), origin);
             let own = |&node: &NodeIndex| dofs.of_node(node);
             // the same for nodes without axes of their own
             let named = |&node: &NodeIndex| dofs.of_node(node).chain(dofs.named_of_node(node));
@@ -112,9 +130,12 @@ impl Restraint {
                 root,
                 size: if self.size > 0.0 { self.size } else { 1.0 },
                 swings: is_supported && turns,
+                hangs: is_supported && rank(&turning) == free.len(),
+                extent: members.iter().map(|&node| from_root(node)).fold(0.0, f64::max),
             });
         }
-        found.pairs = model.contact_pairs.iter().map(|pair| Meeting::of(pair, &owner)).collect();
+        let meeting = |pair| Meeting::of(pair, &found.of_node);
+        found.pairs = model.contact_pairs.iter().map(meeting).collect();
         for (one, &root) in roots.iter().enumerate() {
             let group = self.ties.group(root);
             let others = roots.iter().enumerate().filter(|(_, own)| group.contains(own));
@@ -191,14 +212,43 @@ impl LooseBodies {
         self.bodies.is_empty()
     }
 
+    /// Whether a pair of the model is one of the body at a place of the list.
+    pub fn is_of_pair(&self, body: usize, pair: usize) -> bool {
+        self.pairs[pair].bodies.contains(&body)
+    }
+
     /// Each of them.
     pub fn iter(&self) -> impl Iterator<Item = &LooseBody> {
         self.bodies.iter()
     }
 
-    /// The dofs of all of them, along the axes of the model.
-    pub fn dofs(&self) -> impl Iterator<Item = usize> {
-        self.bodies.iter().flat_map(|body| &body.dofs).copied()
+    /// How firm each is, given that of all elements, with the block and the member of each in the model: those without elements are as
+    /// firm as `others`.
+    pub fn firmness(
+        &self,
+        model: &Model,
+        elements: impl Iterator<Item = ((usize, usize), Firmness)>,
+        (others, into): (Firmness, &mut Vec<Firmness>),
+    ) {
+        into.clear();
+        into.resize(self.bodies.len(), Firmness::default());
+        let mut least = vec![f64::INFINITY; self.bodies.len()];
+        for ((block, member), own) in elements {
+            let block = &model.blocks[block];
+            let node = block.elements.get(member).nodes[0];
+            let body = self.of_node.get(&node).filter(|_| block.kind.joins());
+            let Some(&body) = body.filter(|_| own.stiffness > 0.0) else { continue };
+            least[body] = least[body].min(own.stiffness);
+            if own.stiffness > into[body].stiffness {
+                into[body] = own;
+            }
+        }
+        for (own, least) in into.iter_mut().zip(least) {
+            match least.is_finite() {
+                true => own.stiffness = own.stiffness.sqrt() * least.sqrt(),
+                false => *own = others,
+            }
+        }
     }
 
     /// Leaves out those that nothing can touch: contact never holds them.
@@ -211,7 +261,7 @@ impl LooseBodies {
             body.unknowns.clear();
         }
         if !is_met.contains(&true) {
-            self.bodies.clear();
+            *self = Self::default();
         }
     }
 
@@ -260,6 +310,18 @@ impl LooseBodies {
 }
 
 impl LooseBody {
+    /// The dofs of its nodes, along the axes of the model.
+    pub fn dofs(&self) -> impl Iterator<Item = usize> {
+        self.dofs.iter().copied()
+    }
+
+    /// Whether it hangs on a support, and a change of all dofs swings it by more than a part of its size.
+    pub fn swings_far(&self, moved: &[f64], dofs: &DofMap) -> bool {
+        let ways = self.unknowns.iter().filter(|&&dof| !dofs.is_rotation(dof));
+        let far = FAR * self.extent;
+        self.hangs && ways.map(|&dof| moved[dof].abs()).any(|way| way > far)
+    }
+
     /// Its unknowns, a dof each.
     pub fn unknowns(&self) -> impl Iterator<Item = usize> {
         self.unknowns.iter().copied()
@@ -330,4 +392,14 @@ fn solved(mut rows: [[f64; MOST + 1]; MOST], count: usize) -> [f64; MOST] {
         rows[pivot] = own;
     }
     std::array::from_fn(|i| if i < count { rows[i][MOST] } else { 0.0 })
+}
+
+/// A motion without its translation.
+fn turn_of(motion: &Motion) -> Motion {
+    let [.., x, y, z] = *motion;
+    [0.0, 0.0, 0.0, x, y, z]
+}
+
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    length(std::array::from_fn(|axis| a[axis] - b[axis]))
 }

@@ -3,7 +3,7 @@
 use super::block::Block;
 use super::numbering::ElementNumbering;
 use super::reference::Reference;
-use slideline_mech::element::Kernel;
+use slideline_mech::element::{Kernel, Scale};
 use slideline_model::{ChangedSection, Model, Undeformed};
 
 /// The elements of a model in their undeformed state, block by block as numbered.
@@ -82,6 +82,18 @@ impl Kernels {
                 self.stiffest_length = scale.length.unwrap_or(self.stiffest_length);
             }
         }
+    }
+
+    /// The scales of all elements, with the block and the member of each in the model.
+    pub fn scales<'a>(
+        &'a self,
+        numbering: &'a ElementNumbering,
+    ) -> impl Iterator<Item = ((usize, usize), Scale)> + 'a {
+        let blocks = numbering.blocks.iter().zip(&self.blocks);
+        blocks.flat_map(|(numbered, kernel)| {
+            let members = numbered.members.iter().enumerate();
+            members.map(|(element, &member)| ((numbered.block, member), kernel.scale(element)))
+        })
     }
 
     /// The kernels of all blocks, in order.
