@@ -13,6 +13,7 @@ mod advance;
 mod assembly;
 mod attempt;
 mod begin;
+mod falls;
 mod hold;
 mod iterate;
 mod measures;

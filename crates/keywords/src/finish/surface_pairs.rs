@@ -160,21 +160,31 @@ fn pair(pairing: &Pairing, draft: &mut Draft) {
         }
         given => given,
     };
+    let law = (interaction, thickness, vocabulary);
     let masters = pieces(pairing, &sides.master, (&first, second), draft);
     let count = masters.len();
     for (piece, second) in masters.into_iter().enumerate() {
-        let first = first.clone();
-        let parts = match formulation {
-            Formulation::NodeToSurface => at_nodes(pairing, &sides, (first, second), draft),
-            Formulation::Mortar => spread(pairing, &sides, (first, second), draft),
-            Formulation::SurfaceToSurface => along(pairing, &sides, (first, second), draft),
-        };
-        let (Some(parts), Some(offset)) = (parts, offset) else { return };
-        if half_thickness::fits((pairing, formulation), offset, &parts.1, draft) {
-            let law = (interaction.clone(), thickness, vocabulary);
-            let piece = (count > 1).then_some(piece);
-            put_together((pairing, formulation, piece), parts, (law, offset), draft);
-        }
+        let piece = (count > 1).then_some(piece);
+        let given = (pairing, formulation, piece);
+        of_piece(given, (&sides, first.clone(), second), (law.clone(), offset), draft);
+    }
+}
+
+/// The pair of a master, or of this piece of it.
+fn of_piece(
+    (pairing, formulation, piece): (&Pairing, Formulation, Option<usize>),
+    (sides, first, second): (&Sides, Found, Found),
+    (law, offset): (Law, Option<Offset>),
+    draft: &mut Draft,
+) {
+    let parts = match formulation {
+        Formulation::NodeToSurface => at_nodes(pairing, sides, (first, second), draft),
+        Formulation::Mortar => spread(pairing, sides, (first, second), draft),
+        Formulation::SurfaceToSurface => along(pairing, sides, (first, second), draft),
+    };
+    let (Some(parts), Some(offset)) = (parts, offset) else { return };
+    if half_thickness::fits((pairing, formulation), offset, &parts.1, draft) {
+        put_together((pairing, formulation, piece), parts, (law, offset), draft);
     }
 }
 

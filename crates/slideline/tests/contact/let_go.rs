@@ -321,8 +321,9 @@ fn stacks_that_are_unloaded_stay() {
     }
 }
 
-/// Requirement: spacers between plates carry again what they carried before they were let go, one upon the other, joined by a hinge or
-/// with their upper side led by a reference node. Tolerance: 1 %, by which friction may leave them elsewhere. They were gone.
+/// Requirement: spacers between plates carry again what they carried before they were let go, one upon the other, joined by a hinge, or
+/// with one side led by a reference node; in at most five iterations an increment. Tolerance: 1 %, by which friction may leave them elsewhere.
+/// They were gone, and with a reference node took 24 cutbacks.
 #[test]
 fn spacers_that_are_let_go_carry_again() {
     let hinge = "*MPC\nPIN, 2001, 1005\n";
@@ -345,7 +346,142 @@ fn spacers_that_are_let_go_carry_again() {
         let pressed = step(2, "*BOUNDARY\nHEAD, 2, 2, -.05\n");
         let raised = step(2, "*BOUNDARY\nHEAD, 2, 2, .2\n");
         let once = solved(&format!("{text}{pressed}")).force()[1];
-        let again = solved(&format!("{text}{pressed}{raised}{pressed}")).force()[1];
+        let last = solved(&format!("{text}{pressed}{raised}{pressed}"));
+        let again = last.force()[1];
+        assert!(last.most() <= 5 && last.given_up == 0, "{:?}: {how}", last.iterations);
         assert!(once > 50.0 && (again / once - 1.0).abs() < 0.01, "{once} {again}: {how}");
+    }
+}
+
+/// Requirement: forces on a leaf that lies loose on two feet and is bent by a nose are in proportion to its modulus, a millionth of that of
+/// the feet, and beside a spring that is a million times as stiff as these, in at most five iterations an increment without that. Tolerance: what the stiff leaf takes of the tools, 2 %. Springs
+/// of the stiffest element would hold such a leaf more than its own bending does.
+#[test]
+fn a_soft_leaf_is_bent_as_a_stiff_one() {
+    let run = |modulus: f64, spring: bool| {
+        let mut text = "*HEADING\nleaf\n".to_owned();
+        let mut part = |name: &str, base: usize, cells: [usize; 2], corners: [[f64; 2]; 2]| {
+            block(&mut text, (name, base), cells, corners);
+        };
+        part("LEAF", 1, [40, 2], [[0.0, 0.0], [20.0, 1.0]]);
+        part("FOOT1", 1001, [2, 1], [[1.0, -1.0], [2.0, 0.0]]);
+        part("FOOT2", 2001, [2, 1], [[18.0, -1.0], [19.0, 0.0]]);
+        part("NOSE", 3001, [3, 1], [[9.0, 1.0], [11.0, 2.0]]);
+        let text = text.replacen("MATERIAL=M", "MATERIAL=SOFT", 1);
+        let stiff = match spring {
+            true => {
+                "*NODE\n9001, 50., 0.\n9002, 51., 0.\n*ELEMENT, TYPE=SPRINGA, ELSET=K\n9001, 9001, 9002\n*SPRING, ELSET=K\n\n1e12\n\
+                     *BOUNDARY\n9001, 1, 2\n9002, 2\n"
+            }
+            false => "",
+        };
+        let deck = format!(
+            "{text}{stiff}*MATERIAL, NAME=SOFT\n*ELASTIC\n{modulus:?}, .3\n*MATERIAL, NAME=M\n*ELASTIC\n1e6, .3\n*SURFACE INTERACTION, NAME=I\n\
+             *FRICTION\n.1\n*SURFACE, NAME=A\nLEAF,\n*SURFACE, NAME=F\nFOOT1,\nFOOT2,\n*SURFACE, NAME=N\nNOSE,\n\
+             *CONTACT PAIR, INTERACTION=I, TYPE=NODE TO SURFACE\nA, N\n*CONTACT PAIR, INTERACTION=I, TYPE=NODE TO SURFACE\nA, F\n\
+             *NSET, NSET=GRIP, GENERATE\n3005, 3008\n*NSET, NSET=GROUND, GENERATE\n1001, 1003\n2001, 2003\n\
+             *BOUNDARY\nGROUND, 1, 2\nGRIP, 1\n{}",
+            step(10, "*BOUNDARY\nGRIP, 2, 2, -1.\n")
+        );
+        let last = solved(&deck);
+        let most = if spring { 10 } else { 5 };
+        assert!(
+            last.most() <= most && last.given_up == 0,
+            "{modulus} {spring} {:?}",
+            last.iterations
+        );
+        last.force()[1] / modulus
+    };
+    let stiff = run(1e6, false);
+    assert!(stiff.abs() > 1e-5, "{stiff}");
+    for (modulus, spring) in [(1.0, false), (1.0, true), (1e6, true)] {
+        // what gives way beside the leaf: the feet and the nose
+        let own = run(modulus, spring);
+        let allowed = if modulus < 1e6 { 0.02 } else { 1e-6 };
+        assert!((own / stiff - 1.0).abs() < allowed, "{modulus} {spring}: {own} {stiff}");
+    }
+    let [one, ten] = [1.0, 10.0].map(|modulus| run(modulus, false));
+    assert!((ten / one - 1.0).abs() < 1e-4, "{one} {ten}");
+}
+
+/// Requirement: a loose block that a small weight alone takes across a gap of a tenth of its size carries that weight at the end, as 1 or as
+/// 1e-6 of what would press it in by a tenth. Source: equilibrium. Tolerance: 1e-4.
+#[test]
+fn a_light_load_closes_a_gap() {
+    for (kind, load) in [("SURFACE", 100.0), ("SURFACE", 1e-4), ("NODE", 100.0), ("NODE", 1e-4)] {
+        let mut text = "*HEADING\nlight\n".to_owned();
+        block(&mut text, ("LOW", 1), [8, 2], [[-4.0, -2.0], [4.0, 0.0]]);
+        block(&mut text, ("UP", 1001), [5, 1], [[-2.0, 0.1], [2.0, 1.1]]);
+        let _ = write!(
+            text,
+            "*MATERIAL, NAME=M\n*ELASTIC\n1000., .3\n*SURFACE INTERACTION, NAME=I\n*FRICTION\n.2\n*SURFACE, NAME=A\nUP,\n\
+             *SURFACE, NAME=B\nLOW,\n*CONTACT PAIR, INTERACTION=I, TYPE={kind} TO SURFACE\nA, B\n\
+             *NSET, NSET=BASE, GENERATE\n1, 9\n*NSET, NSET=TOP, GENERATE\n1007, 1012\n*BOUNDARY\nBASE, 1, 2\n{}",
+            step(2, &format!("*CLOAD\nTOP, 2, {:?}\n", -load / 6.0))
+        );
+        let last = solved(&text);
+        assert!((last.force()[1] / load - 1.0).abs() < 1e-4, "{kind} {load}: {:?}", last.force());
+    }
+}
+
+/// Requirement: a lever that hangs on a pin of its corner and turns by its weight until it hangs straight touches nothing far from it:
+/// no wall that a straight line would lead it to. Tolerance: the pin carries all its weight, so the lever stands below it to 1e-2 of its length.
+#[test]
+fn a_lever_swings_to_rest() {
+    let mut text = "*HEADING\nlever\n".to_owned();
+    block(&mut text, ("LEVER", 1), [3, 9], [[0.0, -3.0], [1.0, 0.0]]);
+    block(&mut text, ("WALL", 1001), [1, 9], [[-5.0, -3.0], [-4.0, 0.0]]);
+    let _ = write!(
+        text,
+        "*MATERIAL, NAME=M\n*ELASTIC\n1e4, .3\n*DENSITY\n1.\n*SURFACE INTERACTION, NAME=I\n*SURFACE, NAME=A\nLEVER,\n*SURFACE, NAME=B\nWALL,\n\
+         *CONTACT PAIR, INTERACTION=I, TYPE=NODE TO SURFACE\nA, B\n*NSET, NSET=HELD, GENERATE\n1001, 1020\n\
+         *BOUNDARY\nHELD, 1, 2\n37, 1, 2\n{}",
+        step(10, "*DLOAD\nLEVER, GRAV, 1., 0., -1., 0.\n")
+    );
+    let last = solved(&text);
+    let own = last.nodes.iter().filter(|own| own.0 <= 40);
+    let below: f64 = own.map(|own| own.1[0] + own.2[0]).sum::<f64>() / 40.0;
+    assert_eq!(last.force(), [0.0; 3]);
+    assert!(below.abs() < 3e-2, "{below}");
+}
+
+/// Requirement: slave nodes that equations put upon faces of the master, at nodes of it and between, carry nothing: what is left of a
+/// load of 10 on a width of 1 goes through the rest. Source: areas of the other nodes, 5/8 at nodes, and with half or all of the face
+/// beside the joint. One of them carried 13.3, so that the equations pulled.
+#[test]
+fn nodes_that_follow_their_master_carry_nothing() {
+    for kind in ["SURFACE", "NODE"] {
+        for cells in [4, 6, 8] {
+            let mut text = "*HEADING\njoined\n".to_owned();
+            block(&mut text, ("UP", 1), [4, 2], [[0.0, 0.0], [1.0, 0.5]]);
+            block(&mut text, ("LOW", 1001), [cells, 2], [[0.0, -0.5], [1.0, 0.0]]);
+            let first = 1001 + 2 * (cells + 1);
+            for (node, x) in [(1, 0.0), (2, 0.25 * cells as f64)] {
+                let (place, part) = (x as usize, x.fract());
+                let (a, b) = (first + place, first + (place + 1).min(cells));
+                for dof in [1, 2] {
+                    let _ = match part > 0.0 {
+                        true => write!(
+                            text,
+                            "*EQUATION\n3\n{node}, {dof}, 1., {a}, {dof}, {:?}, {b}, {dof}, {:?}\n",
+                            part - 1.0,
+                            -part
+                        ),
+                        false => write!(text, "*EQUATION\n2\n{node}, {dof}, 1., {a}, {dof}, -1.\n"),
+                    };
+                }
+            }
+            let _ = write!(
+                text,
+                "*MATERIAL, NAME=M\n*ELASTIC\n1000., 0.\n*SURFACE INTERACTION, NAME=I\n*SURFACE, NAME=A\nUP,\n*SURFACE, NAME=B\nLOW,\n\
+                 *CONTACT PAIR, INTERACTION=I, TYPE={kind} TO SURFACE\nA, B\n*NSET, NSET=GROUND, GENERATE\n1001, {}\n\
+                 *BOUNDARY\nGROUND, 2\n1001, 1\n{}",
+                1001 + cells,
+                // elements of a block have the numbers of their first nodes
+                step(1, "*DLOAD\n6, P3, 10.\n7, P3, 10.\n8, P3, 10.\n9, P3, 10.\n")
+            );
+            let force = solved(&text).force()[1];
+            assert!(force > 5.5 && force < 7.5, "{kind} {cells}: {force}");
+        }
     }
 }

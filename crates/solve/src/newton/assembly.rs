@@ -192,8 +192,7 @@ impl Scratch {
     pub(super) fn assemble(&mut self, plan: &Problem<'_>, committed: &State) {
         self.take_tangents(plan, committed);
         self.stiffen(plan);
-        // where all points lend stiffness, a body that falls goes as far as contact lets it
-        if self.dashpots.is_empty() && !self.augment_all {
+        if self.holds_loose(plan) {
             hold_loose(plan, (&self.evaluation.rows, self.hold), &mut self.values);
         }
         self.dashpots.stiffen(plan, &self.evaluation.rows, &mut self.values);

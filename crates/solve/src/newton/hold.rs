@@ -11,6 +11,12 @@ use crate::problem::Problem;
 pub(super) const HOLD: [f64; 3] = [1e-10, 1e-8, 1e-6];
 
 impl Scratch {
+    /// Whether springs hold loose bodies: not where dashpots do, nor where all points lend stiffness, so that what falls goes as far
+    /// as contact lets it.
+    pub(super) fn holds_loose(&self, plan: &Problem<'_>) -> bool {
+        !plan.loose.is_empty() && self.dashpots.is_empty() && !self.augment_all
+    }
+
     /// Stiffness that relaxation gives an unknown [F/L or F L].
     pub(super) fn held_by(&self, plan: &Problem<'_>, equation: usize) -> f64 {
         let unit = plan.units[equation];

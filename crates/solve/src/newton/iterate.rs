@@ -1,6 +1,5 @@
 //! One iteration: assemble, factor, solve, move, evaluate.
 
-use super::hold::{HOLD, springs_on_loose};
 use super::multipliers::context;
 use super::scratch::{Scratch, solver};
 use crate::evaluate::Evaluation;
@@ -22,9 +21,7 @@ const WAKINGS: usize = 3;
 
 /// So many times the stiffness that holds loose bodies, one after the other, where the contact problem is not solved with it [1].
 /// (choice)
-const FIRMER: [f64; 2] = [1e3, 1e6];
-/// Part of the work on loose bodies that their springs must do at least to be all that holds one [1]. (choice)
-const SHARE: f64 = 0.5;
+const FIRMER: &[f64] = &[1e3, 1e6];
 
 impl Scratch {
     /// The correction that the factored tangent and contact, solved exactly,
@@ -92,18 +89,35 @@ impl Scratch {
         committed: &State,
         dt: f64,
     ) -> Result<(), SolveError> {
-        if plan.loose.is_empty() || !self.dashpots.is_empty() || self.augment_all {
-            return Ok(());
-        }
         for times in FIRMER {
-            if self.outside() || self.contact.is_solved() {
+            if self.outside() || self.contact.is_solved() || !self.holds_loose(plan) {
                 break;
             }
-            self.hold = times * self.least_hold;
-            self.factor(plan, committed)?;
-            self.contact_step(plan, committed, dt)?;
+            self.solve_held(plan, committed, (dt, times * self.least_hold))?;
         }
         Ok(())
+    }
+
+    /// Solves with loose bodies held by so much of their stiffness.
+    fn solve_held(
+        &mut self,
+        plan: &Problem<'_>,
+        committed: &State,
+        (dt, hold): (f64, f64),
+    ) -> Result<(), SolveError> {
+        self.hold = hold;
+        self.factor(plan, committed)?;
+        self.contact_step(plan, committed, dt)
+    }
+
+    /// Whether the correction leads a loose body far, which next to no force can do.
+    fn leads_loose_far(&self, plan: &Problem<'_>) -> bool {
+        if !self.holds_loose(plan) || self.outside() || self.evaluation.failed.is_some() {
+            return false;
+        }
+        let way =
+            |dof: usize| plan.constraints.equation(dof).map_or(0.0, |own| self.correction[own]);
+        plan.loose.iter().any(|body| body.goes_far(way, plan.dofs))
     }
 
     /// Whether the solution opens pairs that pressed; they are noted. Their geometry, taken at
@@ -135,6 +149,8 @@ impl Scratch {
             }
             self.augment(plan, committed, fault)?;
             self.solve_awake(plan, committed, dt)?;
+        } else if self.leads_loose_far(plan) {
+            self.solve_held(plan, committed, (dt, FIRMER[0] * self.least_hold))?;
         }
         if self.evaluation.failed.is_some() {
             return Ok(());
@@ -180,45 +196,6 @@ impl Scratch {
             self.evaluate(plan, committed, dt);
         }
         Ok(())
-    }
-
-    /// What is said of the tangent where the springs on loose bodies do the work against what is unbalanced: nothing but contact
-    /// that is still open would hold one.
-    fn falls(&mut self, plan: &Problem<'_>, committed: &State) -> Option<SolveError> {
-        let has_failed = self.outside() || self.evaluation.failed.is_some();
-        let is_held = self.dashpots.is_empty() && !self.augment_all;
-        if plan.loose.is_empty() || !is_held || has_failed {
-            return None;
-        }
-        self.expand_correction(plan);
-        let (moved, forces) = (&self.correction_dofs, &self.evaluation.structure);
-        let springs = springs_on_loose(plan, self.hold);
-        let held: f64 = springs.map(|(dof, stiffness)| stiffness * moved[dof] * moved[dof]).sum();
-        let unknown = || plan.loose.iter().flat_map(|body| body.unknowns());
-        let work: f64 = unknown().map(|dof| -forces[dof] * moved[dof]).sum();
-        // what else opposes it is less than the springs are at their weakest
-        let weakest = held * HOLD[0] / self.hold;
-        let is_unopposed = work > SHARE * held && work - held < weakest;
-        if !is_unopposed && !(work > 0.0 && self.is_thrown_round(plan)) {
-            return None;
-        }
-        let most = unknown().map(|dof| forces[dof].abs()).fold(0.0, f64::max);
-        let way = |dof: usize| moved[dof].abs();
-        let dof = unknown().max_by(|a, b| way(*a).total_cmp(&way(*b)))?;
-        let equation = plan.constraints.equation(dof)?;
-        let loaded = most > self.floors(plan, committed)[0];
-        loaded.then(|| SolveError::Singular { equation, ratio: plan.reach / way(dof) })
-    }
-
-    /// Whether a body that nothing presses on swings far about the support that it hangs on, until contact would stop it.
-    fn is_thrown_round(&self, plan: &Problem<'_>) -> bool {
-        let pair = |place: usize| plan.contact.parent(plan.contact.points[place].pair);
-        let presses = |body: usize| {
-            let own = |place: &usize| plan.loose.is_of_pair(body, pair(*place));
-            (0..self.pressures.len()).filter(own).any(|place| self.pressures[place] != 0.0)
-        };
-        let mut bodies = plan.loose.iter().enumerate();
-        bodies.any(|(k, own)| own.swings_far(&self.correction_dofs, plan.dofs) && !presses(k))
     }
 
     /// Takes a system of parts in contact whose correction throws a node far out of the model for

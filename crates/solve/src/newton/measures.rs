@@ -51,9 +51,14 @@ impl Scratch {
             moves: self.moves,
             converged: false,
         };
-        let flux = [self.evaluation.flux.mean_force(), self.evaluation.flux.mean_moment()];
+        let mut flux = [self.evaluation.flux.mean_force(), self.evaluation.flux.mean_moment()];
         let controls = &plan.step.controls.field;
-        let averages = [0, 1].map(|field| committed.flux[field].with(flux[field], controls));
+        let mut averages = [0, 1].map(|field| committed.flux[field].with(flux[field], controls));
+        if averages[1] == 0.0 {
+            // no element has moments: what arrives at dofs that others follow are forces by levers
+            let lever = self.largest_shares(plan).1;
+            (flux[1], averages[1]) = (lever * flux[0], lever * averages[0]);
+        }
         let floors = self.floors(plan, committed);
         let negligible = floors[0].max(controls.r_n * averages[0]);
         let by_places = self.position_rounding(plan) * plan.structure.stiffest;
@@ -162,10 +167,15 @@ impl Scratch {
         let length = plan.structure.stiffest_length;
         // and dofs that follow hand on more than one share of a force, or a moment about where they are joined, which
         // may be far from any element
-        let is_rotation = |dof: usize| plan.dofs.is_rotation(dof);
-        let (share, lever) = plan.constraints.largest_shares(&self.evaluation.rows, is_rotation);
+        let (share, lever) = self.largest_shares(plan);
         let moments = elastic.max(seen(0)) * length.max(lever) + contact * reach;
         [(elastic * share.max(1.0) + contact).max(seen(0)), moments.max(seen(1))]
+    }
+
+    /// The largest shares that dofs hand on of a force: of it, and as a moment [1, L].
+    fn largest_shares(&self, plan: &Problem<'_>) -> (f64, f64) {
+        let is_rotation = |dof: usize| plan.dofs.is_rotation(dof);
+        plan.constraints.largest_shares(&self.evaluation.rows, is_rotation)
     }
 
     /// Largest contact force, and largest change of one when positions

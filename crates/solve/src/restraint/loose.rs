@@ -18,7 +18,7 @@ use std::collections::HashMap;
 
 /// Part of the way of a body by which it may leave what pushes it and be said to touch it [1]. (choice)
 const HARDLY: f64 = 0.1;
-/// Part of its size by which a body swings far: a motion that is no longer straight [1]. (choice)
+/// Part of its size by which a body goes far in an iteration [1]. (choice)
 const FAR: f64 = 0.1;
 /// Most motions of a body.
 const MOST: usize = 6;
@@ -315,11 +315,15 @@ impl LooseBody {
         self.dofs.iter().copied()
     }
 
-    /// Whether it hangs on a support, and a change of all dofs swings it by more than a part of its size.
-    pub fn swings_far(&self, moved: &[f64], dofs: &DofMap) -> bool {
-        let ways = self.unknowns.iter().filter(|&&dof| !dofs.is_rotation(dof));
-        let far = FAR * self.extent;
-        self.hangs && ways.map(|&dof| moved[dof].abs()).any(|way| way > far)
+    /// Whether it hangs on a support, about which it can turn and no more.
+    pub fn hangs(&self) -> bool {
+        self.hangs
+    }
+
+    /// Whether a change of dofs moves it by more than a part of its size.
+    pub fn goes_far(&self, change: impl Fn(usize) -> f64, dofs: &DofMap) -> bool {
+        let mut ways = self.unknowns.iter().filter(|&&dof| !dofs.is_rotation(dof));
+        ways.any(|&dof| change(dof).abs() > FAR * self.extent)
     }
 
     /// Its unknowns, a dof each.

@@ -16,6 +16,7 @@ use crate::contact::pairs::{Carrier, Contact};
 use crate::contact::positions::MasterPositions;
 use crate::state::PointState;
 use slideline_mech::contact::pair::{Body, RigidSurface};
+use slideline_mech::contact::search::chain::Chain;
 use slideline_mech::contact::search::faces::near_way;
 use slideline_mech::contact::search::outlook::Outlook;
 use slideline_mech::contact::search::pass::cross_faces;
@@ -156,15 +157,9 @@ impl Contact {
                     let positions = (&chains[0].nodes[range.clone()], &chains[1].nodes[range]);
                     chain.near_way(chains[0].tree(pair), (way[0], way[1]), near);
                     let own = near.iter().copied().filter(|&p| chain.is_own(p) && stops(&p));
-                    cross_parts(positions, own, (way[0], way[1]), |crossing| {
-                        let start = chain.arc_coordinate(crossing.segment);
-                        let own = crossing.parameter * chain.reference_length(crossing.segment);
-                        let (normal, inward) = (crossing.normal, crossing.inward);
-                        let (fraction, along) = (share(crossing.fraction), start + own);
-                        let ends = [crossing.segment, crossing.segment + 1];
-                        let past = parts as f64 * way_past(&ends, positions, way);
-                        let at = way[0];
-                        events.push((place, Event { fraction, along, normal, at, inward, past }));
+                    cross_line(chain, (positions, own), way, |own| {
+                        let (fraction, past) = (share(own.fraction), parts as f64 * own.past);
+                        events.push((place, Event { fraction, past, ..own }));
                     });
                 }
             }
@@ -172,12 +167,11 @@ impl Contact {
     }
 }
 
+/// Places of nodes at both ends of a part of the way [L].
+type Ends<'a> = (&'a [[f64; 3]], &'a [[f64; 3]]);
+
 /// How far a point goes past the nodes of a face on its way, at most [L].
-fn way_past(
-    nodes: &[usize],
-    (before, after): (&[[f64; 3]], &[[f64; 3]]),
-    way: [[f64; 3]; 2],
-) -> f64 {
+fn way_past(nodes: &[usize], (before, after): Ends<'_>, way: [[f64; 3]; 2]) -> f64 {
     let moved = sub(way[1], way[0]);
     let past = |&node: &usize| size(sub(moved, sub(after[node], before[node])));
     nodes.iter().map(past).fold(0.0, f64::max)
@@ -198,6 +192,22 @@ fn cross_body(
             let (normal, inward, fraction) = (crossing.normal, crossing.inward, crossing.fraction);
             each(Event { fraction, along, normal, at, inward, past: f64::INFINITY });
         }
+    });
+}
+
+/// The crossings of the way of a slave node through some parts of a line; how far it goes past them is that of this part of the way.
+fn cross_line(
+    chain: &Chain,
+    (positions, parts): (Ends<'_>, impl Iterator<Item = usize>),
+    way: [[f64; 3]; 2],
+    mut each: impl FnMut(Event),
+) {
+    cross_parts(positions, parts, (way[0], way[1]), |crossing| {
+        let start = chain.arc_coordinate(crossing.segment);
+        let along = start + crossing.parameter * chain.reference_length(crossing.segment);
+        let past = way_past(&[crossing.segment, crossing.segment + 1], positions, way);
+        let (normal, inward, fraction) = (crossing.normal, crossing.inward, crossing.fraction);
+        each(Event { fraction, along, normal, at: way[0], inward, past });
     });
 }
 
