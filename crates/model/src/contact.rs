@@ -17,6 +17,8 @@ use slideline_mech::surface::mesh::MeshFace;
 pub struct ContactPair {
     /// Name: the contact element set, or the names of both surfaces, behind them # and a number if this is a piece of the master.
     pub name: String,
+    /// Whether it is a piece of what the deck calls a pair.
+    pub is_piece: bool,
     /// Where contact is sampled.
     pub formulation: Formulation,
     /// The words of the cards that made it.
@@ -74,7 +76,8 @@ pub enum Adjust {
 impl ContactPair {
     /// What the deck calls it: its name without the number of a piece.
     pub fn title(&self) -> &str {
-        self.name.rsplit_once('#').map_or(&self.name, |(title, _)| title)
+        let whole = self.name.rsplit_once('#').filter(|_| self.is_piece);
+        whole.map_or(&self.name, |(title, _)| title)
     }
 
     /// Whether a card that names a pair so means this one.

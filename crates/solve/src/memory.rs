@@ -198,6 +198,7 @@ mod tests {
             slaves: Vec::new(),
             counts_sides: false,
             name: "P".to_owned(),
+            is_piece: false,
             formulation: slideline_model::Formulation::SurfaceToSurface,
             vocabulary: slideline_model::Vocabulary::Elements,
             faces: Vec::new(),

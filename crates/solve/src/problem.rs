@@ -142,7 +142,7 @@ impl<'a> Problem<'a> {
             near: &coupling.near,
             elastic: &plan.elastic,
             loose: &plan.loose[index],
-            firmness: &values.loose[index],
+            firmness: values.loose.get(index).map_or(&[], Vec::as_slice),
             reach: values.reach,
             lever: values.lever,
             units: &values.units[numbered],

@@ -12,7 +12,7 @@ use crate::constraints::Motion;
 use crate::contact::Contact;
 use crate::loads::FaceLoads;
 use crate::plan::{Numbering, Part, PlanMismatch};
-use crate::restraint::loose::Firmness;
+use crate::restraint::loose::{Firmness, LooseBodies};
 use crate::structure::Kernels;
 use crate::users::UserFrictions;
 use slideline_model::{ContactPair, Model, SurfaceSegment};
@@ -90,6 +90,9 @@ impl Values {
 
     fn take_loose(&mut self, plan: &Numbering, model: &Model) {
         let Self { kernels, loose, lever, .. } = self;
+        if plan.loose.iter().all(LooseBodies::is_empty) {
+            return loose.clear();
+        }
         let others = Firmness { stiffness: kernels.stiffest, length: *lever };
         loose.resize_with(plan.loose.len(), Vec::new);
         for (into, bodies) in loose.iter_mut().zip(&plan.loose).filter(|own| !own.1.is_empty()) {

@@ -120,10 +120,10 @@ fn pair(surface: &Surface, strayed: bool, in_pair: &mut Numbered<usize, Span>, d
     let master = master(surface, reference.map(|(node, _)| node), draft);
     if let (Some(interaction), Some(master)) = (interaction, master) {
         let (name, origin) = (surface.set.clone(), surface.origin);
-        let formulation = slideline_model::Formulation::NodeToSurface;
         let pair = ContactPair {
             name,
-            formulation,
+            is_piece: false,
+            formulation: slideline_model::Formulation::NodeToSurface,
             vocabulary: Vocabulary::Elements,
             adjust: slideline_model::Adjust::Nothing,
             axes: [None; 2],

@@ -245,6 +245,7 @@ fn put_together(
     let Some(axes) = of_pair(pairing, &master, draft) else { return };
     let pair = ContactPair {
         name,
+        is_piece: piece.is_some(),
         formulation,
         vocabulary,
         elements: slaves.elements,

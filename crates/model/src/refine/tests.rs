@@ -47,6 +47,7 @@ fn pair(nodes: &[NodeIndex], master: Master) -> ContactPair {
     ContactPair {
         of_solids: false,
         name: "C".into(),
+        is_piece: false,
         formulation: Formulation::NodeToSurface,
         vocabulary: crate::Vocabulary::Elements,
         elements: elements.collect(),

@@ -52,3 +52,15 @@ fn walls_of_a_slot_may_be_one_surface() {
         }
     }
 }
+
+/// Requirement: a card that names a pair means no other one whose master has that name with # and more behind it.
+#[test]
+fn names_with_a_number_sign_are_names() {
+    let two = "*SURFACE, NAME=W\nLEFT,\n*SURFACE, NAME=W#1\nRIGHT,\n";
+    let card = "*CONTACT PAIR, INTERACTION=I, TYPE=NODE TO SURFACE\n";
+    let pairs = format!("{card}P, W#1\n{card}P, W\n");
+    let removed = "*MODEL CHANGE, TYPE=CONTACT PAIR, REMOVE\nP, W\n";
+    let last = solved(&deck(two, &pairs, removed));
+    let pressed = last.forces[..10].iter().map(|force| force[0].abs()).fold(0.0, f64::max);
+    assert!(pressed > 1.0, "{pressed}");
+}

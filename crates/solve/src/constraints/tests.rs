@@ -44,6 +44,7 @@ fn contact() -> ContactPair {
         profile: None,
         of_solids: false,
         name: String::new(),
+        is_piece: false,
         formulation: Formulation::NodeToSurface,
         vocabulary: Vocabulary::Elements,
         adjust: slideline_model::Adjust::Nothing,

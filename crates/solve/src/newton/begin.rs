@@ -1,6 +1,6 @@
 //! The first guess of an attempt.
 
-use super::hold::{HOLD, hold_loose};
+use super::hold::{HOLD, OF_INSERTED, hold_loose};
 use super::scratch::{Scratch, solver};
 use crate::evaluate::{Evaluation, look_at};
 use crate::predict;
@@ -45,7 +45,9 @@ impl Scratch {
         self.negative_pivots = 0;
         (self.factored, self.nearly_there) = (false, false);
         let firm = target.attempt.clamp(1, HOLD.len()) - 1;
-        (self.least_hold, self.hold) = (HOLD[firm], HOLD[firm]);
+        let part = if plan.inserts_laws() { OF_INSERTED } else { 1.0 };
+        let hold = part * HOLD[firm];
+        (self.least_hold, self.hold) = (hold, hold);
         self.thrown = false;
         self.secants.begin(target.attempt == 1, committed.by_secants);
         let times = (target.step_time, target.dt);

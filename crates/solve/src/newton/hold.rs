@@ -8,7 +8,9 @@ use crate::problem::Problem;
 /// Stiffness that holds loose bodies where an iteration begins, in that of their own elements [1]: small against the softest
 /// way in which a part bends, and large against rounding. From attempt to attempt firmer: contact without friction leaves bodies that it
 /// presses on next to no stiffness along it, of either sign. (choice)
-pub(super) const HOLD: [f64; 3] = [1e-10, 1e-8, 1e-6];
+pub(super) const HOLD: [f64; 3] = [1e-9, 1e-8, 1e-6];
+/// Part of that where laws are inserted: multipliers that are moved from round to round would follow late [1]. (choice)
+pub(super) const OF_INSERTED: f64 = 1e-3;
 
 impl Scratch {
     /// Whether springs hold loose bodies: not where dashpots do, nor where all points lend stiffness, so that what falls goes as far

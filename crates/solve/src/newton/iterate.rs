@@ -110,16 +110,6 @@ impl Scratch {
         self.contact_step(plan, committed, dt)
     }
 
-    /// Whether the correction leads a loose body far, which next to no force can do.
-    fn leads_loose_far(&self, plan: &Problem<'_>) -> bool {
-        if !self.holds_loose(plan) || self.outside() || self.evaluation.failed.is_some() {
-            return false;
-        }
-        let way =
-            |dof: usize| plan.constraints.equation(dof).map_or(0.0, |own| self.correction[own]);
-        plan.loose.iter().any(|body| body.goes_far(way, plan.dofs))
-    }
-
     /// Whether the solution opens pairs that pressed; they are noted. Their geometry, taken at
     /// pressures that are no more, goes with them: it can be what opened them, docs/theory.md eq. (8.36).
     fn opens_pairs(&mut self) -> bool {
@@ -149,8 +139,6 @@ impl Scratch {
             }
             self.augment(plan, committed, fault)?;
             self.solve_awake(plan, committed, dt)?;
-        } else if self.leads_loose_far(plan) {
-            self.solve_held(plan, committed, (dt, FIRMER[0] * self.least_hold))?;
         }
         if self.evaluation.failed.is_some() {
             return Ok(());

@@ -51,14 +51,8 @@ impl Scratch {
             moves: self.moves,
             converged: false,
         };
-        let mut flux = [self.evaluation.flux.mean_force(), self.evaluation.flux.mean_moment()];
         let controls = &plan.step.controls.field;
-        let mut averages = [0, 1].map(|field| committed.flux[field].with(flux[field], controls));
-        if averages[1] == 0.0 {
-            // no element has moments: what arrives at dofs that others follow are forces by levers
-            let lever = self.largest_shares(plan).1;
-            (flux[1], averages[1]) = (lever * flux[0], lever * averages[0]);
-        }
+        let (flux, averages) = self.fluxes(plan, committed);
         let floors = self.floors(plan, committed);
         let negligible = floors[0].max(controls.r_n * averages[0]);
         let by_places = self.position_rounding(plan) * plan.structure.stiffest;
@@ -97,6 +91,19 @@ impl Scratch {
         let fields = [&report.force, &report.moment];
         self.nearly_there = !report.severe && fields.into_iter().all(is_nearly_there);
         report
+    }
+
+    /// Mean forces and moments, now and over the step.
+    fn fluxes(&self, plan: &Problem<'_>, committed: &State) -> ([f64; 2], [f64; 2]) {
+        let mut flux = [self.evaluation.flux.mean_force(), self.evaluation.flux.mean_moment()];
+        let controls = &plan.step.controls.field;
+        let mut averages = [0, 1].map(|field| committed.flux[field].with(flux[field], controls));
+        if averages[1] == 0.0 {
+            // no element has moments: what arrives at dofs that others follow are forces by levers
+            let lever = self.largest_shares(plan).1;
+            (flux[1], averages[1]) = (lever * flux[0], lever * averages[0]);
+        }
+        (flux, averages)
     }
 
     /// The list of the report before, emptied: iterations allocate nothing.

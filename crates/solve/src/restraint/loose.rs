@@ -212,9 +212,9 @@ impl LooseBodies {
         self.bodies.is_empty()
     }
 
-    /// Whether a pair of the model is one of the body at a place of the list.
-    pub fn is_of_pair(&self, body: usize, pair: usize) -> bool {
-        self.pairs[pair].bodies.contains(&body)
+    /// Places in the list of the bodies of a pair of the model.
+    pub fn of_pair(&self, pair: usize) -> &[usize] {
+        self.pairs.get(pair).map_or(&[], |own| &own.bodies)
     }
 
     /// Each of them.

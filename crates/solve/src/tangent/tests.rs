@@ -121,6 +121,7 @@ pub(crate) fn model(line: bool, offset: Offset) -> Model {
     let formulation = Formulation::NodeToSurface;
     let origin = AT;
     let pair = ContactPair {
+        is_piece: false,
         profile: None,
         of_solids: false,
         adjust: slideline_model::Adjust::Nothing,
