@@ -11,6 +11,7 @@
 //! structure has reached a limit of its strength, or numbers one of theirs.
 
 mod bodies;
+pub mod clamped;
 pub mod loose;
 mod rigid_motions;
 mod ties;

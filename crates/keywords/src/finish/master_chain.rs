@@ -13,8 +13,7 @@ use slideline_model::{ContactElement, Formulation, NodeIndex, SlideLine};
 
 use super::chain::{Broken, Chain, Facet, Travel};
 use super::facing::places;
-use super::hollows::{DISTANCES, Outlines, joined};
-use super::one_node::is_at;
+use super::hollows::DISTANCES;
 use crate::crossing::crossing;
 use crate::draft::Draft;
 use crate::rule::Subject;
@@ -28,12 +27,6 @@ pub(super) fn slide_line(
     draft: &mut Draft,
 ) -> Option<SlideLine> {
     let whole = one_face_each(pairing, facets, draft)?;
-    let ends: Vec<_> = slaves.iter().map(|own| own.nodes).collect();
-    let mut whole = within_reach(whole, &ends, draft);
-    if let Err(broken @ Broken::Apart(_)) = Chain::find(&whole) {
-        let said = of_no_chain(pairing, (surface, &whole), broken, draft);
-        join(&mut whole, &said, draft);
-    }
     let middles: Vec<_> = whole.iter().filter_map(|facet| facet.middle).collect();
     let facets: Vec<Facet> = whole.iter().flat_map(Facet::parts).collect();
     let found = match Chain::find(&facets) {
@@ -76,34 +69,6 @@ pub(super) fn slide_line(
         }
     }
     Some(drawn(chain.nodes, &middles, pairing, surface))
-}
-
-/// The faces that something may meet: not the walls of hollows in which nothing stands, nor what is outside
-/// a hollow in which all does.
-pub(super) fn within_reach(
-    facets: Vec<Facet>,
-    places: &[[NodeIndex; 2]],
-    draft: &Draft,
-) -> Vec<Facet> {
-    let nodes = &draft.model.nodes;
-    let ends: Vec<_> = facets.iter().map(|facet| facet.nodes).collect();
-    let pieces = joined(&ends);
-    let piece = |own: &Vec<usize>| {
-        let of_solids = own.iter().all(|&face| facets[face].face.is_some());
-        (own.iter().map(|&face| ends[face]).collect(), of_solids)
-    };
-    let outlines = Outlines::new(&pieces.iter().map(piece).collect::<Vec<_>>(), nodes);
-    let mut met = vec![false; pieces.len()];
-    for own in joined(places) {
-        let own: Vec<NodeIndex> = own.into_iter().flat_map(|place| places[place]).collect();
-        met.iter_mut().zip(outlines.met_by(&own, nodes)).for_each(|(met, may)| *met |= may);
-    }
-    let mut kept = vec![false; facets.len()];
-    let all = pieces.iter().zip(met).filter(|(_, met)| *met);
-    all.flat_map(|(piece, _)| piece).for_each(|&face| kept[face] = true);
-    let faces = facets.iter().zip(&kept).filter(|(_, kept)| **kept).map(|(face, _)| *face);
-    let faces: Vec<Facet> = faces.collect();
-    if faces.is_empty() { facets } else { faces }
 }
 
 /// The line of these nodes as its pair draws it.
@@ -175,7 +140,11 @@ fn seam(facets: &[Facet], slaves: &[ContactElement], draft: &Draft) -> NodeIndex
 }
 
 /// A master turns one face to its slaves.
-fn one_face_each(pairing: &Pairing, facets: &[Facet], draft: &mut Draft) -> Option<Vec<Facet>> {
+pub(super) fn one_face_each(
+    pairing: &Pairing,
+    facets: &[Facet],
+    draft: &mut Draft,
+) -> Option<Vec<Facet>> {
     let mut once = std::collections::HashMap::new();
     let mut kept: Vec<Facet> = Vec::with_capacity(facets.len());
     for facet in facets {
@@ -200,41 +169,6 @@ fn undecided(pairing: &Pairing, message: String, help: &str, draft: &mut Draft) 
     let error = Diagnostic::error(Code("SL0331"), message).at(pairing.master.span);
     draft.consequence(Subject::Contact, error.help(help));
 }
-
-/// Makes a chain or a ring of pieces of faces of solids, where an end of one is at the end of another: that
-/// node then stands for both. Whether they are one is known when links are: `said` is the complaint if not.
-pub(super) fn join(facets: &mut [Facet], said: &Diagnostic, draft: &mut Draft) {
-    if facets.iter().any(|facet| facet.face.is_none()) {
-        return;
-    }
-    let mut joined = facets.to_vec();
-    let mut both = Vec::new();
-    let nodes: Vec<NodeIndex> = facets.iter().flat_map(|facet| facet.nodes).collect();
-    let mut count = std::collections::HashMap::new();
-    nodes.iter().for_each(|node| *count.entry(*node).or_insert(0) += 1);
-    let mut ends: Vec<(usize, NodeIndex)> = Vec::new();
-    for (k, &node) in nodes.iter().enumerate().filter(|(_, node)| count[*node] == 1) {
-        let near = |&&(other, end): &&(usize, NodeIndex)| {
-            is_at(node, end, &facets[k / 2].nodes, draft)
-                && is_at(node, end, &facets[other / 2].nodes, draft)
-        };
-        match ends.iter().find(near) {
-            Some(&(_, end)) => {
-                joined[k / 2].nodes[k % 2] = end;
-                both.push([node, end]);
-            }
-            None if ends.len() < MOST_ENDS => ends.push((k, node)),
-            None => return,
-        }
-    }
-    if let Ok(_) | Err(Broken::Loop(_)) = Chain::find(&joined) {
-        facets.copy_from_slice(&joined);
-        draft.joined_ends.extend(both.into_iter().map(|both| (both, said.clone())));
-    }
-}
-
-/// More ends of pieces than this are not compared with one another.
-const MOST_ENDS: usize = 1000;
 
 fn not_a_chain(
     pairing: &Pairing,

@@ -10,66 +10,9 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
+use crate::plane_blocks::{GENERAL, MATERIAL, block, step};
 use crate::space_decks::{Last, solved};
-use slideline::observe::Ending;
-use slideline::{Event, Job, Observer, ReadOptions, SolveOptions, Stop};
 use std::fmt::Write as _;
-use std::ops::ControlFlow;
-
-/// Nodes and elements of a plane block of so many cells; nodes are numbered along its rows.
-pub fn block(
-    text: &mut String,
-    (name, base): (&str, usize),
-    cells: [usize; 2],
-    corners: [[f64; 2]; 2],
-) {
-    let [low, high] = corners;
-    let node = |i: usize, j: usize| base + i + (cells[0] + 1) * j;
-    let _ = writeln!(text, "*NODE");
-    for j in 0..=cells[1] {
-        for i in 0..=cells[0] {
-            let at = |axis: usize, k: usize| {
-                low[axis] + (high[axis] - low[axis]) * k as f64 / cells[axis] as f64
-            };
-            let _ = writeln!(text, "{}, {:?}, {:?}", node(i, j), at(0, i), at(1, j));
-        }
-    }
-    let _ = writeln!(text, "*ELEMENT, TYPE=CPS4, ELSET={name}");
-    for j in 0..cells[1] {
-        for i in 0..cells[0] {
-            let corners = [node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)];
-            let corners = corners.map(|own| own.to_string()).join(", ");
-            let _ = writeln!(text, "{}, {corners}", node(i, j));
-        }
-    }
-    let _ = writeln!(text, "*SOLID SECTION, ELSET={name}, MATERIAL=M\n1.");
-}
-
-const MATERIAL: &str =
-    "*MATERIAL, NAME=M\n*ELASTIC\n1000., .3\n*SURFACE INTERACTION, NAME=I\n*FRICTION\n0.2\n";
-const GENERAL: &str =
-    "*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n*CONTACT PROPERTY ASSIGNMENT\n, , I\n";
-
-/// All displacements at the end of a run.
-struct End(Vec<f64>);
-
-impl Observer for End {
-    fn event(&mut self, event: Event<'_>) -> ControlFlow<Stop> {
-        if let Event::Committed(frame) = event {
-            self.0 = frame.nodal.all().map(|(_, _, [own, ..])| own).collect();
-        }
-        ControlFlow::Continue(())
-    }
-}
-
-fn displacements(deck: &str) -> Vec<f64> {
-    let read = Job::read_text("joined", deck, &ReadOptions::default());
-    let model = read.model.unwrap_or_else(|| panic!("{:#?}\n{deck}", read.diagnostics));
-    let mut end = End(Vec::new());
-    let ending = slideline::solve(&model, &SolveOptions::default(), &mut end);
-    assert!(matches!(ending, Ending::Completed(_)), "{ending:?}\n{deck}");
-    end.0
-}
 
 /// The mean motion of the nodes from a label on.
 fn moved(last: &Last, from: u64) -> [f64; 2] {
@@ -141,84 +84,6 @@ fn what_is_unloaded_stays() {
     assert!(along.abs() < 1e-3 && up.abs() < 1e-3, "{along} {up}");
 }
 
-/// Requirement: contact between nodes that are one already, by *MPC, *EQUATION or a rigid body, does nothing, pressed or pulled.
-/// Source: the same strips without contact. Tolerance: 1e-9. Contact had forces of 1e12, or SL0501.
-#[test]
-fn joined_sides_do_not_touch() {
-    let pairs: Vec<[usize; 2]> = (0..5).map(|k| [1001 + k, 11 + k]).collect();
-    let mpc = |kind: &str| {
-        let lines = pairs.iter().map(|[a, b]| format!("{kind}, {a}, {b}\n"));
-        format!("*MPC\n{}", lines.collect::<String>())
-    };
-    let equations: String = pairs
-        .iter()
-        .flat_map(|[a, b]| {
-            [1, 2].map(|dof| format!("*EQUATION\n2\n{a}, {dof}, 1., {b}, {dof}, -1.\n"))
-        })
-        .collect();
-    let rigid = "*NODE\n9000, 0., 1.\n*NSET, NSET=SEAM, GENERATE\n11, 15\n1001, 1005\n*RIGID BODY, REF NODE=9000, TIE NSET=SEAM\n";
-    for join in [mpc("TIE"), mpc("PIN"), equations, rigid.to_owned()] {
-        for way in [-0.01, 0.01_f64] {
-            let ends = [false, true].map(|contact| {
-                let mut text = "*HEADING\njoined\n".to_owned();
-                block(&mut text, ("LOW", 1), [4, 2], [[-2.0, -1.0], [2.0, 1.0]]);
-                block(&mut text, ("UP", 1001), [4, 2], [[-2.0, 1.0], [2.0, 3.0]]);
-                text += "*MATERIAL, NAME=M\n*ELASTIC\n1000., .3\n";
-                text += &join;
-                if contact {
-                    text += "*SURFACE INTERACTION, NAME=I\n*FRICTION\n0.2\n";
-                    text += GENERAL;
-                }
-                let _ = write!(
-                    text,
-                    "*NSET, NSET=BASE, GENERATE\n1, 5\n*NSET, NSET=TOP, GENERATE\n1011, 1015\n*BOUNDARY\nBASE, 1, 2\n\
-                     *STEP, NLGEOM\n*STATIC\n.5, 1.\n*BOUNDARY\nTOP, 1, 1\nTOP, 2, 2, {way:?}\n*END STEP\n"
-                );
-                displacements(&text)
-            });
-            let [alone, contact] = &ends;
-            let off = alone.iter().zip(contact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-            assert!(off < 1e-9 * way.abs(), "{way} {off}: {join}");
-        }
-    }
-}
-
-/// Requirement: sides that are joined at the first nodes press one another beyond the last of these, and not there: the force is that
-/// of the length that is left, with half of the face beside the joint or all of it: 2.5 to 3 of 4. Source: the same sides without a
-/// joint. The last joined node carried 12.9 where 2.4 is right, the next one nothing, and all 1.7 times the whole.
-#[test]
-fn sides_that_are_joined_in_part_press_beside_that() {
-    let force = |join: &str, contact: &str| {
-        let mut text = "*HEADING\nseam\n".to_owned();
-        block(&mut text, ("LOW", 1), [4, 2], [[-2.0, -1.0], [2.0, 1.0]]);
-        block(&mut text, ("UP", 1001), [4, 2], [[-2.0, 1.0], [2.0, 3.0]]);
-        text += MATERIAL;
-        let _ = write!(
-            text,
-            "{join}{contact}*NSET, NSET=BASE, GENERATE\n1, 5\n*NSET, NSET=TOP, GENERATE\n1011, 1015\n*BOUNDARY\nBASE, 1, 2\n{}",
-            step(2, "*BOUNDARY\nTOP, 1, 1\nTOP, 2, 2, -0.01\n")
-        );
-        solved(&text).force()[1].abs()
-    };
-    let tied = "*MPC\nTIE, 1001, 11\nTIE, 1002, 12\n";
-    let equations = [1, 2].map(|dof| {
-        format!("*EQUATION\n2\n1001, {dof}, 1., 11, {dof}, -1.\n*EQUATION\n2\n1002, {dof}, 1., 12, {dof}, -1.\n")
-    });
-    let pair = |kind: &str| {
-        format!(
-            "*SURFACE, NAME=A\nLOW,\n*SURFACE, NAME=B\nUP,\n*CONTACT PAIR, INTERACTION=I, TYPE={kind} TO SURFACE\nA, B\n"
-        )
-    };
-    for contact in [GENERAL.to_owned(), pair("SURFACE"), pair("NODE")] {
-        let whole = force("", &contact);
-        for join in [tied.to_owned(), equations.concat()] {
-            let own = force(&join, &contact);
-            let part = own / whole;
-            assert!(part > 2.5 / 4.0 - 0.01 && part < 3.0 / 4.0, "{own} {whole}: {join}{contact}");
-        }
-    }
-}
-
 /// Requirement: a block that is pushed along a rail goes where it is pushed to, as one of solids, as a rigid body whose nodes follow
 /// another one, and with nodes that have axes of their own. Tolerance: 1e-6. The last two were held back in every correction (SL0501).
 #[test]
@@ -245,12 +110,6 @@ fn what_is_led_is_pushed_too() {
         let along = own.iter().map(|own| own.2[0]).sum::<f64>() / own.len() as f64;
         assert!((along - 0.5).abs() < 1e-6, "{along}: {how}");
     }
-}
-
-/// The cards of a step in so many increments, with what is prescribed in it.
-fn step(increments: usize, cards: &str) -> String {
-    let size = 1.0 / increments as f64;
-    format!("*STEP, NLGEOM\n*STATIC\n{size:?}, 1., , {size:?}\n{cards}*END STEP\n")
 }
 
 /// Requirement: blocks in a row, none of which is held along the rail, are where the last one of them was pushed to when the push
@@ -443,45 +302,4 @@ fn a_lever_swings_to_rest() {
     let below: f64 = own.map(|own| own.1[0] + own.2[0]).sum::<f64>() / 40.0;
     assert_eq!(last.force(), [0.0; 3]);
     assert!(below.abs() < 3e-2, "{below}");
-}
-
-/// Requirement: slave nodes that equations put upon faces of the master, at nodes of it and between, carry nothing: what is left of a
-/// load of 10 on a width of 1 goes through the rest. Source: areas of the other nodes, 5/8 at nodes, and with half or all of the face
-/// beside the joint. One of them carried 13.3, so that the equations pulled.
-#[test]
-fn nodes_that_follow_their_master_carry_nothing() {
-    for kind in ["SURFACE", "NODE"] {
-        for cells in [4, 6, 8] {
-            let mut text = "*HEADING\njoined\n".to_owned();
-            block(&mut text, ("UP", 1), [4, 2], [[0.0, 0.0], [1.0, 0.5]]);
-            block(&mut text, ("LOW", 1001), [cells, 2], [[0.0, -0.5], [1.0, 0.0]]);
-            let first = 1001 + 2 * (cells + 1);
-            for (node, x) in [(1, 0.0), (2, 0.25 * cells as f64)] {
-                let (place, part) = (x as usize, x.fract());
-                let (a, b) = (first + place, first + (place + 1).min(cells));
-                for dof in [1, 2] {
-                    let _ = match part > 0.0 {
-                        true => write!(
-                            text,
-                            "*EQUATION\n3\n{node}, {dof}, 1., {a}, {dof}, {:?}, {b}, {dof}, {:?}\n",
-                            part - 1.0,
-                            -part
-                        ),
-                        false => write!(text, "*EQUATION\n2\n{node}, {dof}, 1., {a}, {dof}, -1.\n"),
-                    };
-                }
-            }
-            let _ = write!(
-                text,
-                "*MATERIAL, NAME=M\n*ELASTIC\n1000., 0.\n*SURFACE INTERACTION, NAME=I\n*SURFACE, NAME=A\nUP,\n*SURFACE, NAME=B\nLOW,\n\
-                 *CONTACT PAIR, INTERACTION=I, TYPE={kind} TO SURFACE\nA, B\n*NSET, NSET=GROUND, GENERATE\n1001, {}\n\
-                 *BOUNDARY\nGROUND, 2\n1001, 1\n{}",
-                1001 + cells,
-                // elements of a block have the numbers of their first nodes
-                step(1, "*DLOAD\n6, P3, 10.\n7, P3, 10.\n8, P3, 10.\n9, P3, 10.\n")
-            );
-            let force = solved(&text).force()[1];
-            assert!(force > 5.5 && force < 7.5, "{kind} {cells}: {force}");
-        }
-    }
 }

@@ -6,8 +6,9 @@
 //!     |  |   |  |
 //! ```
 
-use crate::let_go::block;
+use crate::plane_blocks::block;
 use crate::space_decks::solved;
+use slideline::{Job, ReadOptions};
 
 /// A plug between two walls that is moved down and to one of them, then to the other one.
 fn deck(surfaces: &str, pairs: &str, cards: &str) -> String {
@@ -51,6 +52,36 @@ fn walls_of_a_slot_may_be_one_surface() {
             }
         }
     }
+}
+
+/// Requirement: *CLEARANCE and *MODEL CHANGE of the pair are those of both pieces, and *CONTACT PRINT finds them. Source: the deck
+/// with two surfaces. Tolerance: rounding.
+#[test]
+fn cards_mean_all_pieces() {
+    let apart = "*SURFACE, NAME=L\nLEFT,\n*SURFACE, NAME=R\nRIGHT,\n";
+    let one = "*SURFACE, NAME=B\nLEFT,\nRIGHT,\n";
+    let card = "*CONTACT PAIR, INTERACTION=I, TYPE=NODE TO SURFACE\n";
+    let clear = |masters: &[&str]| -> String {
+        let lines =
+            masters.iter().map(|own| format!("*CLEARANCE, SLAVE=P, MASTER={own}, VALUE=.02\n"));
+        lines.collect()
+    };
+    let print = "*CONTACT PRINT, SLAVE=P, MASTER=B\nCSTRESS\n";
+    let [two, pieces] = [
+        (apart, format!("{card}P, L\n{card}P, R\n{}", clear(&["L", "R"])), ""),
+        (one, format!("{card}P, B\n{}", clear(&["B"])), print),
+    ]
+    .map(|(surfaces, pairs, cards)| solved(&deck(surfaces, &pairs, cards)));
+    assert_eq!(two.nodes, pieces.nodes);
+    let read = Job::read_text(
+        "print",
+        &deck(one, &format!("{card}P, B\n"), print),
+        &ReadOptions::default(),
+    );
+    assert!(!read.diagnostics.iter().any(|own| own.code.0 == "SL0252"), "{:#?}", read.diagnostics);
+    let removed = "*MODEL CHANGE, TYPE=CONTACT PAIR, REMOVE\nP, B\n";
+    let last = solved(&deck(one, &format!("{card}P, B\n"), removed));
+    assert!(last.contact.iter().all(|row| row.pressure == 0.0));
 }
 
 /// Requirement: a card that names a pair means no other one whose master has that name with # and more behind it.

@@ -51,6 +51,20 @@ impl Scratch {
         Ok(())
     }
 
+    /// Factors the linearised problem and solves it, if the pattern holds what contact couples.
+    pub(super) fn factor_and_solve(
+        &mut self,
+        plan: &Problem<'_>,
+        committed: &State,
+        dt: f64,
+    ) -> Result<(), SolveError> {
+        self.factor(plan, committed)?;
+        match self.outside() {
+            true => Ok(()),
+            false => self.contact_step(plan, committed, dt),
+        }
+    }
+
     /// Factors and solves the linearised problem. Where the way without the matrix
     /// of contact is lost, the rest of the attempt goes the other one, which can
     /// pivot, as long as its cost allows.
@@ -61,21 +75,16 @@ impl Scratch {
         dt: f64,
     ) -> Result<(), SolveError> {
         self.hold = self.least_hold;
-        let mut done = self.factor(plan, committed);
-        if done.is_ok() && !self.outside() {
-            done = self.contact_step(plan, committed, dt);
-            if done.is_ok() && !plan.inserts_laws() && self.opens_pairs() {
-                done = self.factor(plan, committed);
-                done = done.and_then(|()| self.contact_step(plan, committed, dt));
-            }
-            self.opened.fill(false);
+        let mut done = self.factor_and_solve(plan, committed, dt);
+        if done.is_ok() && !self.outside() && !plan.inserts_laws() && self.opens_pairs() {
+            done = self.factor_and_solve(plan, committed, dt);
         }
+        self.opened.fill(false);
         let free = self.enforcement == Enforcement::MatrixFree && plan.enforcement.is_none();
         let lost = done.is_err() || !self.contact.is_solved();
         if !self.outside() && free && lost && self.points.len() <= MOST_DENSE {
             self.only_dense = true;
-            self.factor(plan, committed)?;
-            done = self.contact_step(plan, committed, dt);
+            done = self.factor_and_solve(plan, committed, dt);
         }
         done?;
         self.hold_loose_firmer(plan, committed, dt)
@@ -93,21 +102,10 @@ impl Scratch {
             if self.outside() || self.contact.is_solved() || !self.holds_loose(plan) {
                 break;
             }
-            self.solve_held(plan, committed, (dt, times * self.least_hold))?;
+            self.hold = times * self.least_hold;
+            self.factor_and_solve(plan, committed, dt)?;
         }
         Ok(())
-    }
-
-    /// Solves with loose bodies held by so much of their stiffness.
-    fn solve_held(
-        &mut self,
-        plan: &Problem<'_>,
-        committed: &State,
-        (dt, hold): (f64, f64),
-    ) -> Result<(), SolveError> {
-        self.hold = hold;
-        self.factor(plan, committed)?;
-        self.contact_step(plan, committed, dt)
     }
 
     /// Whether the solution opens pairs that pressed; they are noted. Their geometry, taken at

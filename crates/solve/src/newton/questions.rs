@@ -7,7 +7,6 @@ use crate::linearised::Contradiction;
 use crate::problem::Problem;
 use crate::state::State;
 use crate::target::Target;
-use slideline_linalg::SolveError;
 use slideline_mech::contact::tangential::Tangential;
 use slideline_model::NodeIndex;
 
@@ -59,23 +58,13 @@ impl Scratch {
         let (pressures, tractions) = (self.pressures.clone(), self.tractions.clone());
         let (evaluation, points) = (self.evaluation.clone(), self.points.clone());
         self.begin(plan, committed, target);
-        let solved = self.solve_first(plan, committed, target.dt).is_ok();
+        let solved = self.factor_and_solve(plan, committed, target.dt).is_ok();
         let found = if solved { self.jammed(plan, committed) } else { Vec::new() };
         (self.u, self.load, self.negative_pivots) = (u, load, negative_pivots);
         (self.pressures, self.tractions) = (pressures, tractions);
         (self.evaluation, self.points) = (evaluation, points);
         self.iteration_history = iteration_history;
         found
-    }
-
-    fn solve_first(
-        &mut self,
-        plan: &Problem<'_>,
-        committed: &State,
-        dt: f64,
-    ) -> Result<(), SolveError> {
-        self.factor(plan, committed)?;
-        self.contact_step(plan, committed, dt)
     }
 
     /// Hard points whose place is prescribed, as that of their master is, and

@@ -13,6 +13,7 @@ use super::{Restraint, length};
 use crate::contact::Contact;
 use crate::dofs::DofMap;
 use crate::state::PointState;
+use slideline_mech::vector::{size, sub};
 use slideline_model::{ContactPair, Master, Model, NodeIndex, Step};
 use std::collections::HashMap;
 
@@ -115,7 +116,7 @@ impl Restraint {
             let turning: Vec<Motion> = free.iter().map(turn_of).collect();
             let is_supported = self.rows.get(&root).is_some_and(|rows| !rows.is_empty());
             let origin = model.nodes.position(root);
-            let from_root = |node: NodeIndex| distance(model.nodes.position(node), origin);
+            let from_root = |node: NodeIndex| size(sub(model.nodes.position(node), origin));
             let own = |&node: &NodeIndex| dofs.of_node(node);
             // the same for nodes without axes of their own
             let named = |&node: &NodeIndex| dofs.of_node(node).chain(dofs.named_of_node(node));
@@ -144,45 +145,6 @@ impl Restraint {
         found.forget_lone_ones();
         found
     }
-}
-
-/// Whether every body that beams and links join has a node of which all is held, turns as well: nothing is loose. A quick answer
-/// without the lists of a [`Restraint`], which may be no where supports hold all.
-pub fn all_are_clamped(
-    (model, step): (&Model, &Step),
-    (dofs, is_held): (&DofMap, impl Fn(usize) -> bool),
-) -> bool {
-    let mut parent: Vec<NodeIndex> = (0..model.nodes.len()).collect();
-    // halves the way to the root on each walk
-    let root = |parent: &mut [NodeIndex], mut node: NodeIndex| {
-        while parent[node] != node {
-            parent[node] = parent[parent[node]];
-            node = parent[node];
-        }
-        node
-    };
-    let mut join = |a: NodeIndex, b: NodeIndex| {
-        let [a, b] = [a, b].map(|node| root(&mut parent, node));
-        parent[a.max(b)] = a.min(b);
-    };
-    for (_, element) in
-        step.presence.elements(&model.blocks).filter(|(block, _)| block.kind.joins())
-    {
-        element.nodes.windows(2).for_each(|ends| join(ends[0], ends[1]));
-    }
-    for link in &model.rigid_links {
-        // with all that it has, turns as well
-        if dofs.of_node(link.dependent).all(|dof| link.follows[dofs.name(dof).1 as usize]) {
-            join(link.master, link.dependent);
-        }
-    }
-    let own = |node: NodeIndex| dofs.of_node(node);
-    let mut clamped = vec![false; parent.len()];
-    for node in 0..parent.len() {
-        let turns = own(node).any(|dof| dofs.is_rotation(dof));
-        clamped[root(&mut parent, node)] |= turns && own(node).all(&is_held);
-    }
-    (0..clamped.len()).all(|node| own(node).all(&is_held) || clamped[root(&mut parent, node)])
 }
 
 impl Meeting {
@@ -402,8 +364,4 @@ fn solved(mut rows: [[f64; MOST + 1]; MOST], count: usize) -> [f64; MOST] {
 fn turn_of(motion: &Motion) -> Motion {
     let [.., x, y, z] = *motion;
     [0.0, 0.0, 0.0, x, y, z]
-}
-
-fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    length(std::array::from_fn(|axis| a[axis] - b[axis]))
 }
