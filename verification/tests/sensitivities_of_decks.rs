@@ -21,6 +21,9 @@ const DECKS: [&str; 13] = [
     "keywords/SPRING",
 ];
 
+/// Contact over faces with friction, metal and heat at once.
+const FACES: &str = "block_over_faces";
+
 /// Rows that are known to be off: the dissipation of the two leaves by their section is, by 1.4e-6, and a reaction of
 /// the cam by its law of contact, by 1.1e-6: the differences of whole runs are, for the tangent and four neighbours
 /// tell the same to 2e-7.
@@ -33,8 +36,9 @@ const KNOWN: [(&str, &str); 2] =
 #[test]
 fn derivatives_are_those_of_whole_runs() {
     let (mut proved, mut left_out, mut apart) = (0, Vec::new(), Vec::new());
-    for deck in DECKS {
-        let path = format!("{}/../corpus/{deck}.inp", env!("CARGO_MANIFEST_DIR"));
+    let corpus = DECKS.map(|deck| (deck, format!("../corpus/{deck}.inp")));
+    for (deck, path) in corpus.into_iter().chain([(FACES, format!("tests/decks/{FACES}.inp"))]) {
+        let path = format!("{}/{path}", env!("CARGO_MANIFEST_DIR"));
         let text = std::fs::read_to_string(&path).unwrap();
         for (name, held) in derivatives(&text) {
             match held {
