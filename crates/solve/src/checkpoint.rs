@@ -132,7 +132,9 @@ impl Checkpoint<'_> {
         let nodes = model.nodes.len();
         let fit = |list: &[Temperature]| {
             [0, nodes].contains(&list.len())
-                && list.iter().all(|at| at.value.is_finite() && at.slope.is_finite())
+                && list
+                    .iter()
+                    .all(|at| at.value.is_finite() && at.slopes.iter().all(|own| own.is_finite()))
         };
         let ahead = self.control.is_none_or(|control| {
             let within = control.time >= 0.0 && control.time < step.procedure.period;
@@ -190,12 +192,12 @@ mod tests {
             start: Start {
                 displacement: Cow::Owned(vec![0.5; 6]),
                 released: Cow::Owned(vec![0.125; 6]),
-                temperatures: Cow::Owned(vec![Temperature { value: 20.0, slope: 0.5 }; 2]),
+                temperatures: Cow::Owned(vec![Temperature { value: 20.0, slopes: [0.5, 0.25] }; 2]),
                 references: Cow::Owned(vec![Reference {
                     element: 4,
                     displacement: vec![0.25, -1.0],
                     turned: vec![[1.0, 0.0, 0.0, 0.0]],
-                    temperatures: vec![Temperature { value: 3.0, slope: 0.0 }],
+                    temperatures: vec![Temperature { value: 3.0, slopes: [0.0; 2] }],
                 }]),
             },
             control: Some(Control { time: 0.3, dt: 0.1, committed: 7, attempts: 2, quick: 1 }),

@@ -92,8 +92,8 @@ impl Problem<'_> {
             let amplitude = self.amplitude(amplitude);
             let start = start(node);
             let at = |start, end| self.at(step_time, start, end, amplitude);
-            let (value, slope) = (at(start.value, end.value), at(start.slope, end.slope));
-            Temperature { value, slope }
+            let slopes = [0, 1].map(|k| at(start.slopes[k], end.slopes[k]));
+            Temperature { value: at(start.value, end.value), slopes }
         };
         // What the step before heated and this one does not name goes back to where it began.
         all.extend((0..self.model.nodes.len()).map(|node| between(node, initial(node), None)));

@@ -51,8 +51,10 @@ fn expanding(expansion: Expansion, law: Material) -> Material {
 /// Temperatures of the nodes now and before, none like another.
 fn temperatures(nodes: usize) -> [Vec<Temperature>; 2] {
     [31.0, 7.0].map(|base| {
-        let own =
-            |k: usize| Temperature { value: base + 9.0 * (1.7 * k as f64).sin(), slope: 20.0 };
+        let own = |k: usize| Temperature {
+            value: base + 9.0 * (1.7 * k as f64).sin(),
+            slopes: [20.0, 10.0],
+        };
         (0..nodes).map(own).collect()
     })
 }

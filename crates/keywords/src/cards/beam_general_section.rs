@@ -38,13 +38,14 @@ impl Keyword for BeamGeneralSection {
             Rule::required("ELSET"),
             Rule::value("POISSON"),
             Rule::value("MATERIAL"),
+            Rule::value("DENSITY"),
             Rule::flag("TAPER"),
         ];
         RULES
     }
 
     fn without_effect(&self) -> &'static [&'static str] {
-        &["LUMPED", "DENSITY", "ZERO", "ROTARY INERTIA"]
+        &["LUMPED", "ZERO", "ROTARY INERTIA"]
     }
 
     fn level(&self) -> Level {
@@ -67,6 +68,7 @@ impl Keyword for BeamGeneralSection {
         };
         let Some(set) = card.name("ELSET") else { return };
         let poisson = poisson(card, draft);
+        let density = density(card, draft);
         if card.first_line("A, I11, I12, I22, J", &mut draft.log).is_none() {
             return;
         }
@@ -85,7 +87,10 @@ impl Keyword for BeamGeneralSection {
         let sizes_and_axis = card.data().len() - usize::from(elastic.is_some());
         let direction = card.data().get(lines).filter(|_| sizes_and_axis > lines);
         let first_axis = first_axis(direction, draft);
-        let (Some(poisson), Some(first_axis)) = (poisson, first_axis) else { return };
+        let (Some(poisson), Some(first_axis), Some(density)) = (poisson, first_axis, density)
+        else {
+            return;
+        };
         if elastic.is_none() && material.is_none() {
             return; // its moduli could not be read
         }
@@ -95,11 +100,28 @@ impl Keyword for BeamGeneralSection {
             material: material.unwrap_or_default(),
             material_span: card.span_of("MATERIAL"),
             set_span: card.span_of("ELSET"),
-            body: Body::Beam { shape, poisson, shear: ShearRule::default(), first_axis, elastic },
+            body: Body::Beam {
+                shape,
+                poisson,
+                shear: ShearRule::default(),
+                first_axis,
+                elastic,
+                density,
+            },
             orientation: None,
             origin: card.span(),
         });
     }
+}
+
+/// Mass per volume, if the card gives one; `None` where that cannot be.
+fn density(card: &Reading<'_>, draft: &mut Draft) -> Option<Option<f64>> {
+    let density = card.number("DENSITY", &mut draft.log)?;
+    if density.is_some_and(|density| density < 0.0) {
+        draft.log.error("SL0234", "the density must not be negative", card.span_of("DENSITY"));
+        return None;
+    }
+    Some(density)
 }
 
 /// The section of one end, with the number of data lines that it takes.

@@ -73,6 +73,7 @@ impl Keyword for BeamSection {
                 shear: ShearRule::default(),
                 first_axis,
                 elastic: None,
+                density: None,
             },
             orientation: None,
             origin: card.span(),

@@ -14,6 +14,8 @@ pub(crate) struct Heat {
     pub temperature: Temperature,
     /// Where a slope through a beam was given.
     pub slope: Option<Span>,
+    /// Where one along axis 1 of the section was given, which beams in space have.
+    pub other_slope: Option<Span>,
     /// Where more values were given.
     pub further: Option<Span>,
     pub amplitude: Option<(String, Span)>,

@@ -34,6 +34,8 @@ pub(crate) enum Body {
         /// Direction of axis 1 of the section.
         first_axis: [f64; 3],
         elastic: Option<(Elastic, f64)>,
+        /// Mass per volume that the card gives [M/L3]; `None`: that of the material.
+        density: Option<f64>,
     },
     /// Thickness out of the plane, of a truss its area; one where it is not given.
     Solid {
@@ -55,7 +57,7 @@ impl Body {
     /// The same with a material; `None` where a beam is given another than an isotropic elastic one.
     pub fn of(self, material: &Material, dialect: Dialect) -> Option<model::Section> {
         Some(match self {
-            Self::Beam { shape, poisson, shear, first_axis, elastic } => {
+            Self::Beam { shape, poisson, shear, first_axis, elastic, density: _ } => {
                 let (table, expansion) = match elastic {
                     Some((elastic, 0.0)) => (vec![(0.0, elastic)], None),
                     Some((elastic, even)) => (vec![(0.0, elastic)], Some(Expansion::even(even))),

@@ -241,8 +241,11 @@ fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((us
     let ElementKind::Structural(row) = element.kind else { return None };
     let nodes = face_nodes(index, None, draft)?;
     let x = places(&nodes, draft);
-    let (thickness, material) = section(index, draft).unwrap_or((1.0, String::new()));
-    let density = needed_density((&material, row), &nodes, line, draft)?;
+    let (thickness, mass) = section(index, draft).unwrap_or((1.0, Mass::default()));
+    let density = needed_density((&mass, row), &nodes, line, draft)?;
+    if let Some(section) = section_of(index, draft).filter(|_| is_weight(kind)).cloned() {
+        line_loads::weighs_beside(&section, line, draft);
+    }
     if let Some(why) = leaves(kind, row, draft.dialect).filter(|_| row.joins()) {
         refuse(why, row.name(), row.is_ring(), line, draft);
         return None;
@@ -286,7 +289,7 @@ fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((us
 /// The density that a load needs [M/L3], 1 for what is a force per volume or length itself; `None`
 /// where there is none, with a complaint if an element was to have one.
 fn needed_density(
-    (material, row): (&str, &ElementType),
+    (mass, row): (&Mass, &ElementType),
     nodes: &[NodeIndex],
     line: &Distributed,
     draft: &mut Draft,
@@ -295,12 +298,15 @@ fn needed_density(
         return Some(1.0);
     }
     let everything = matches!(&line.on, On::Elements(Target::Set(set), _) if set.is_empty());
-    let found = density(material, nodes, draft);
+    let found = mass.density.or_else(|| density(&mass.material, nodes, draft));
     match found {
-        Some(density) => weigh((material, density), line, draft),
+        Some(density) => weigh((&mass.material, density), line, draft),
         None if everything || !row.joins() => {}
         None => {
-            let message = format!("the material {material} has no *DENSITY for this load");
+            let message = match mass.material.is_empty() {
+                false => format!("the material {} has no *DENSITY for this load", mass.material),
+                true => "the section has no DENSITY for this load".to_owned(),
+            };
             let error = Diagnostic::error(Code("SL0309"), message).at(line.origin);
             draft.consequence(Subject::Properties, error);
         }
@@ -343,14 +349,23 @@ fn density(material: &str, nodes: &[NodeIndex], draft: &Draft) -> Option<f64> {
     Some(low + part * (high - low))
 }
 
-/// Thickness, of a line its area, and material of the section that an element belongs to.
-fn section(index: usize, draft: &mut Draft) -> Option<(f64, String)> {
+/// Where the mass of an element comes from.
+#[derive(Default)]
+struct Mass {
+    /// Its material; empty: its section has moduli of its own.
+    material: String,
+    /// What its section gives [M/L3].
+    density: Option<f64>,
+}
+
+/// Thickness, of a line its area, and what the section that an element belongs to is made of.
+fn section(index: usize, draft: &mut Draft) -> Option<(f64, Mass)> {
     let section = section_of(index, draft)?;
-    let thickness = match &section.body {
-        Body::Solid { thickness, .. } => thickness.unwrap_or(1.0),
-        Body::Beam { shape, .. } => shape.area(),
+    let (thickness, density) = match &section.body {
+        Body::Solid { thickness, .. } => (thickness.unwrap_or(1.0), None),
+        Body::Beam { shape, density, .. } => (shape.area(), *density),
     };
-    Some((thickness, section.material.clone()))
+    Some((thickness, Mass { material: section.material.clone(), density }))
 }
 
 /// The section that an element belongs to.

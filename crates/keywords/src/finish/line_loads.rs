@@ -34,6 +34,26 @@ fn unit(axis: usize) -> [f64; 3] {
     std::array::from_fn(|k| if k == axis { 1.0 } else { 0.0 })
 }
 
+/// Part of the size of a section by which its centroid must be off its nodes to be told [1]. (choice)
+const OFF: f64 = 1e-6;
+
+/// Warns that the mass of beams is taken at their nodes where their centroid is elsewhere: its moment is left out.
+pub(super) fn weighs_beside(section: &Section, line: &Distributed, draft: &mut Draft) {
+    let Body::Beam { shape, .. } = &section.body else { return };
+    let [x1, x2] = shape.centroid();
+    let off = x1.hypot(x2);
+    let is_off = off > OFF * shape.area().sqrt();
+    if !is_off || !draft.log.first_time(&format!("weight of {}", section.set)) {
+        return;
+    }
+    let message = format!(
+        "the mass of the beams of {} acts at their nodes here, not at their centroid, which is {off:.4e} away: its moment is left out",
+        section.set
+    );
+    let help = "put the nodes on the centroid and join them to the rest with *MPC BEAM, or give the moments with *CLOAD";
+    draft.log.push(Diagnostic::warning(Code("SL0432"), message).at(line.origin).help(help));
+}
+
 /// Forces of a unit force per length along axis 1 or 2 of the section of a beam; `None`, with a
 /// complaint, where it leaves the plane or means something else. `own_axis`: axis 1 where the element
 /// has one of its own.

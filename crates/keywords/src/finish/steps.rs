@@ -258,7 +258,7 @@ fn settle(carried: &mut Carried, step: &Step, draft: &Draft) {
     for own in &mut carried.temperatures.list {
         let factor = factor(&mut own.amplitude);
         own.temperature.value *= factor;
-        own.temperature.slope *= factor;
+        own.temperature.slopes.iter_mut().for_each(|slope| *slope *= factor);
     }
 }
 

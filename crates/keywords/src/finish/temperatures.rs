@@ -4,7 +4,7 @@ use slideline_diag::{Code, Diagnostic, Span};
 use slideline_model::{NodalTemperature, NodeIndex, Temperature};
 
 use super::standing::InForce;
-use crate::draft::{Draft, Heat};
+use crate::draft::{Body, Draft, ElementKind, Heat, Section};
 
 /// Temperatures before the first step, a node each; none where the deck has none.
 pub(super) fn initial(draft: &mut Draft) {
@@ -34,7 +34,12 @@ fn on_both_sides(line: &Heat, draft: &mut Draft) -> Vec<NodeIndex> {
 
 /// Says that temperatures of the steps cause no strain where no material expands.
 pub(super) fn without_expansion(draft: &mut Draft) {
-    if draft.materials.iter().any(|material| material.expansion.is_some()) {
+    let expands = |section: &Section| match &section.body {
+        Body::Beam { elastic: Some((_, expansion)), .. } => *expansion != 0.0,
+        _ => false,
+    };
+    let materials = draft.materials.iter().any(|material| material.expansion.is_some());
+    if materials || draft.sections.iter().any(expands) {
         return;
     }
     let lines = draft.steps.iter().flat_map(|step| &step.temperatures);
@@ -73,16 +78,21 @@ pub(super) fn heat(
     }
 }
 
-/// A slope counts in beams of the plane alone, and nothing takes more than that; solids have one
+/// Slopes count in beams alone, one in the plane and two in space, and nothing takes more than that; solids have one
 /// temperature at a node.
 fn check(line: &Heat, draft: &mut Draft) {
-    let beams = draft.elements.iter().any(|element| element.kind.is_beam());
-    if let (true, Some(span)) = (beams, line.further) {
-        let error = Diagnostic::error(Code("SL0209"), "more values than this line takes (3)");
-        draft.log.push(error.at(span));
+    let any = |is_such: fn(ElementKind) -> bool| draft.elements.iter().any(|own| is_such(own.kind));
+    let most = match (any(ElementKind::is_beam), any(ElementKind::is_space_beam)) {
+        (_, true) => Some((4, line.further)),
+        (true, false) => Some((3, line.other_slope.or(line.further))),
+        (false, false) => None,
+    };
+    if let Some((values, Some(span))) = most {
+        let message = format!("more values than this line takes ({values})");
+        draft.log.push(Diagnostic::error(Code("SL0209"), message).at(span));
     }
-    let Some(span) = line.slope.or(line.further) else { return };
-    if !beams && draft.log.first_time("slope of the temperature") {
+    let Some(span) = line.slope.or(line.other_slope).or(line.further) else { return };
+    if most.is_none() && draft.log.first_time("slope of the temperature") {
         let message = "solids have one temperature at a node: further values have no effect";
         let note = Diagnostic::note(Code("SL0253"), message).at(span);
         draft.log.push(note.help("give every node its own temperature"));

@@ -15,6 +15,7 @@ use super::instances::{self, array};
 use super::kernel::{
     Element, Failure, Kernel, Response, Scale, Strains, Surroundings, Temperature,
 };
+use super::space_beam::SpaceStrains;
 use crate::material::{Elastic, Expansion, between};
 use crate::section::{BeamStiffness, SpaceStiffness};
 use crate::turn::Turn;
@@ -93,12 +94,44 @@ impl BeamHeat {
         let gyration = (section.bending / section.axial).sqrt();
         let [below, above] = [-gyration, gyration].map(|from_centroid| {
             let y = section.centroid + from_centroid;
-            let [now, before] = [now, initial].map(|at| at.value + y * at.slope);
+            let [now, before] = [now, initial].map(|at| at.value + y * at.slopes[0]);
             self.strain(now, before)
         });
         let curvature = 0.5 * (below - above) / gyration;
         let axial = 0.5 * (below + above) + section.centroid * curvature;
         BeamStrains { axial, shear: 0.0, curvature }
+    }
+
+    /// The same in space, where fibres at x1, x2 stretch by k1 x2 - k2 x1, of two fibres along each axis of the section:
+    /// docs/theory.md eq. (3.109).
+    pub(super) fn free_in_space(
+        &self,
+        section: &SpaceStiffness,
+        now: Temperature,
+        initial: Temperature,
+    ) -> SpaceStrains {
+        let centroid = section.centroid;
+        let grown = |at: [f64; 2]| {
+            let here = |own: Temperature| own.value + at[1] * own.slopes[0] + at[0] * own.slopes[1];
+            self.strain(here(now), here(initial))
+        };
+        let [about_1, _, about_2] = section.bending;
+        // along axis 2 bends about axis 1, along axis 1 about axis 2
+        let [(mean_2, first), (mean_1, second)] =
+            [(1, about_1), (0, about_2)].map(|(axis, bending)| {
+                let gyration = (bending / section.axial).sqrt();
+                let [below, above] = [-gyration, gyration].map(|from_centroid| {
+                    let mut at = centroid;
+                    at[axis] += from_centroid;
+                    grown(at)
+                });
+                let slope = if gyration > 0.0 { 0.5 * (above - below) / gyration } else { 0.0 };
+                (0.5 * (below + above), slope)
+            });
+        let curvatures = [first, -second];
+        let mean = mean_1 + mean_2 - grown(centroid);
+        let axial = mean - curvatures[0] * centroid[1] + curvatures[1] * centroid[0];
+        [axial, 0.0, 0.0, 0.0, curvatures[0], curvatures[1]]
     }
 }
 
@@ -109,7 +142,7 @@ pub(super) fn weighted(shares: &[f64], nodes: &[Temperature]) -> Temperature {
     let Some(&first) = nodes.first() else { return Temperature::default() };
     shares.iter().zip(nodes).fold(first, |sum, (share, node)| Temperature {
         value: sum.value + share * (node.value - first.value),
-        slope: sum.slope + share * (node.slope - first.slope),
+        slopes: [0, 1].map(|k| sum.slopes[k] + share * (node.slopes[k] - first.slopes[k])),
     })
 }
 

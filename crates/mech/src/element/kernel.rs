@@ -37,8 +37,9 @@ pub enum Strains<'a> {
 pub struct Temperature {
     /// Of a solid, or of a beam's axis.
     pub value: f64,
-    /// Growth along a plane beam's normal, its tangent turned left by a right angle [theta/L].
-    pub slope: f64,
+    /// Growth across a beam [theta/L]: along axis 2 of its section, which is in the plane its tangent turned left by a right
+    /// angle, and along axis 1, which counts in space alone.
+    pub slopes: [f64; 2],
 }
 
 /// What an element responds under.

@@ -9,7 +9,10 @@ use slideline_mech::element::Temperature;
 use std::collections::HashMap;
 
 fn mean(a: Temperature, b: Temperature) -> Temperature {
-    Temperature { value: 0.5 * (a.value + b.value), slope: 0.5 * (a.slope + b.slope) }
+    Temperature {
+        value: 0.5 * (a.value + b.value),
+        slopes: [0, 1].map(|k| 0.5 * (a.slopes[k] + b.slopes[k])),
+    }
 }
 
 /// Gives every new node its temperatures; `added`: each with the two between which it stands.

@@ -219,7 +219,7 @@ fn quadrilaterals_share_the_nodes_of_their_sides() {
 #[test]
 fn new_nodes_have_the_mean_of_temperatures() {
     let mut model = two_beams();
-    let at = |value: f64, slope: f64| Temperature { value, slope };
+    let at = |value: f64, slope: f64| Temperature { value, slopes: [slope, 0.5 * slope] };
     model.initial_temperatures = vec![at(10.0, 0.0), at(20.0, 2.0), at(40.0, 0.0)];
     let own = |node, temperature, amplitude| NodalTemperature {
         node,

@@ -24,7 +24,7 @@ use std::io::{ErrorKind, Read, Seek, SeekFrom};
 /// How every such file begins.
 const MAGIC: &[u8; 14] = b"slideline.rst\n";
 /// Version of the layout, and of the bytes of a state.
-const FORMAT: u64 = 20;
+const FORMAT: u64 = 21;
 /// Bytes before the marks.
 const MARKS: usize = 22;
 /// Bytes of a mark: a length and its checksum.

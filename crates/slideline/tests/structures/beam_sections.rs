@@ -320,3 +320,32 @@ fn a_taper_without_its_second_end() {
     assert!(read.model.is_none());
     assert!(said.iter().any(|own| own.contains("second end")), "{said:?}");
 }
+
+/// Requirement: `DENSITY` of *BEAM GENERAL SECTION weighs as *DENSITY of a material does, over all elements and over a set, and in a beam
+/// that tapers. It was ignored. Tolerance: rounding.
+#[test]
+fn sections_with_moduli_of_their_own_weigh() {
+    let deck = |section: &str, on: &str| {
+        format!(
+            "*NODE\n1, 0., 0., 0.\n2, 2., 0., 0.\n3, 4., 0., 0.\n*ELEMENT, TYPE=B31, ELSET=BEAM\n1, 1, 2\n2, 2, 3\n{section}\
+             *BOUNDARY\n1, 1, 6\n*STEP\n*STATIC\n*DLOAD\n{on}, GRAV, 10., 0., -1., 0.\n*END STEP\n"
+        )
+    };
+    let plain = "*BEAM SECTION, SECTION=RECT, ELSET=BEAM, MATERIAL=M\n.2, .3\n0., 0., -1.\n*MATERIAL, NAME=M\n\
+                 *ELASTIC\n1000., .25\n*DENSITY\n.5\n";
+    let general = |taper: &str, sizes: &str| {
+        format!(
+            "*BEAM GENERAL SECTION, SECTION=RECT, ELSET=BEAM, DENSITY=.5{taper}\n{sizes}0., 0., -1.\n1000., 400.\n"
+        )
+    };
+    for on in ["", "BEAM"] {
+        let exact = tip(&run(&deck(plain, on)));
+        assert!(exact[1] < 0.0);
+        for section in [general("", ".2, .3\n"), general(", TAPER", ".2, .3\n.2, .3\n")] {
+            let own = tip(&run(&deck(&section, on)));
+            for (own, exact) in own.iter().zip(exact) {
+                near(*own, exact, 1e-12 * exact.abs());
+            }
+        }
+    }
+}

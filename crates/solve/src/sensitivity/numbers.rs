@@ -333,7 +333,7 @@ fn each_of_point(point: &mut PointState, call: &mut impl FnMut(Numbers<'_>)) {
 fn each_temperature(list: &mut [Temperature], call: &mut impl FnMut(Numbers<'_>)) {
     for own in list {
         call(Moving(from_mut(&mut own.value)));
-        call(Moving(from_mut(&mut own.slope)));
+        call(Moving(&mut own.slopes));
     }
 }
 

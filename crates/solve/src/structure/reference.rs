@@ -37,7 +37,9 @@ impl Reference {
         self.displacement.len() <= MOST_VARIABLES
             && finite(&self.displacement)
             && finite(self.turned.as_flattened())
-            && self.temperatures.iter().all(|own| own.value.is_finite() && own.slope.is_finite())
+            && self.temperatures.iter().all(|own| {
+                own.value.is_finite() && own.slopes.iter().all(|slope| slope.is_finite())
+            })
     }
 
     /// Takes what the element begins with from its variables. Rotations in space of large

@@ -44,8 +44,8 @@ pub struct SpaceBeam<const N: usize, const P: usize> {
     section: [[f64; 6]; 6],
     /// What it is made of.
     stiffness: SpaceStiffness,
-    /// Axial strain of the free element at each point, hot as it is [1].
-    free: [f64; P],
+    /// Strains of the free element at each point, hot as it is.
+    free: [SpaceStrains; P],
 }
 
 /// Shape functions of a line and their derivatives by xi, which runs from -1 to 1.
@@ -104,19 +104,20 @@ impl<const N: usize, const P: usize> SpaceBeam<N, P> {
                 ..plain
             }
         });
-        let (stiffness, free) = (*section, [0.0; P]);
+        let (stiffness, free) = (*section, [[0.0; 6]; P]);
         sound.then_some(Self { stations, section: section.matrix(), stiffness, free })
     }
 
     /// The same element at its temperatures: those of the integration points by the shape
     /// functions, the stiffness at their mean. docs/theory.md eq. (3.109).
     fn warmed(&self, heat: &BeamHeat, under: &Surroundings<'_>) -> Self {
-        let at = |nodes, station: &Station<N>| weighted(&station.shapes, nodes).value;
+        let at = |nodes, station: &Station<N>| weighted(&station.shapes, nodes);
         let free = std::array::from_fn(|point| {
             let station = &self.stations[point];
-            heat.strain(at(under.temperatures, station), at(under.initial, station))
+            let [now, initial] = [under.temperatures, under.initial].map(|own| at(own, station));
+            heat.free_in_space(&self.stiffness, now, initial)
         });
-        let sum: f64 = self.stations.iter().map(|own| at(under.temperatures, own)).sum();
+        let sum: f64 = self.stations.iter().map(|own| at(under.temperatures, own).value).sum();
         let stiffness = heat.space_stiffness(&self.stiffness, sum / P as f64);
         Self { free, section: stiffness.matrix(), stiffness, ..*self }
     }
@@ -128,7 +129,7 @@ impl<const N: usize, const P: usize> SpaceBeam<N, P> {
 
     /// Strains at a point that the free element does not have.
     fn elastic(&self, point: usize, mut strains: SpaceStrains) -> SpaceStrains {
-        strains[0] -= self.free[point];
+        strains.iter_mut().zip(self.free[point]).for_each(|(own, free)| *own -= free);
         strains
     }
 

@@ -1,6 +1,6 @@
 //! Rubbers and what they answer.
 
-use crate::differentiate::{Real, Second, ln_1p};
+use crate::differentiate::{Real, Second, taylor};
 use crate::material::answer::Answer;
 use crate::material::elastic::{Elastic, add_turned};
 use crate::material::principal::Axes;
@@ -90,9 +90,12 @@ impl Rubber {
                 sum
             }
             Self::ArrudaBoyce { shear, locking, volume } => {
-                let squared = number(1.0) + j;
-                let mut sum =
-                    number(*volume) * (number(0.5) * (squared * squared - number(1.0)) - ln_1p(j));
+                // (J^2 - 1)/2 - ln J, whose slope J - 1/J differences of rounded numbers would spoil
+                let (at, grown) = (j.value(), 1.0 + j.value());
+                let twice = at * (2.0 + at);
+                let of_volume =
+                    [0.5 * twice - at.ln_1p(), twice / grown, 1.0 + 1.0 / (grown * grown)];
+                let mut sum = number(*volume) * taylor(j, of_volume);
                 for (k, chain) in CHAIN.iter().enumerate() {
                     let power = i32::try_from(k).unwrap_or(0);
                     let scale = shear * chain / locking.powi(2 * power);
