@@ -15,7 +15,6 @@ use super::instances::{self, array};
 use super::kernel::{
     Element, Failure, Kernel, Response, Scale, Strains, Surroundings, Temperature,
 };
-use super::space_beam::SpaceStrains;
 use crate::material::{Elastic, Expansion, between};
 use crate::section::{BeamStiffness, SpaceStiffness};
 use crate::turn::Turn;
@@ -102,14 +101,14 @@ impl BeamHeat {
         BeamStrains { axial, shear: 0.0, curvature }
     }
 
-    /// The same in space, where fibres at x1, x2 stretch by k1 x2 - k2 x1, of two fibres along each axis of the section:
-    /// docs/theory.md eq. (3.109).
+    /// The same in space, in the order axial, shear along axes 1 and 2, twist, curvature about axes 1 and 2, of two fibres along
+    /// each axis of the section. Fibres at x1, x2 stretch by k1 x2 - k2 x1. docs/theory.md eq. (3.109).
     pub(super) fn free_in_space(
         &self,
         section: &SpaceStiffness,
         now: Temperature,
         initial: Temperature,
-    ) -> SpaceStrains {
+    ) -> [f64; 6] {
         let centroid = section.centroid;
         let grown = |at: [f64; 2]| {
             let here = |own: Temperature| own.value + at[1] * own.slopes[0] + at[0] * own.slopes[1];
