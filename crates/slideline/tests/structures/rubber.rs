@@ -221,3 +221,50 @@ fn a_cube_by_deformation_plasticity() {
         }
     }
 }
+
+/// Requirement: laws of chains and of terms answer in plane stress and in a truss at strains down to 1e-8 with E times strain, and stand a
+/// small initial stress. Those of chains found no thickness free of stress (SL0522), or no deformation of that stress (SL0385).
+/// Source: E = 9 K G / (3 K + G). Tolerance: the strain itself.
+#[test]
+fn small_strains_of_chains() {
+    let laws = ["ARRUDA-BOYCE\n300., 5., .002\n", "NEO HOOKE\n150., .002\n"];
+    for (number, law) in laws.iter().enumerate() {
+        for (kind, corners) in [("CPS4", "1, 2, 3, 4"), ("T2D2", "1, 2")] {
+            for strain in [1e-3, -1e-5, 1e-8] {
+                let text = format!(
+                    "*NODE\n1, 0., 0.\n2, 1., 0.\n3, 1., 1.\n4, 0., 1.\n*ELEMENT, TYPE={kind}, ELSET=E\n1, {corners}\n\
+                     *SOLID SECTION, ELSET=E, MATERIAL=M\n1.\n*MATERIAL, NAME=M\n*HYPERELASTIC, {law}*NSET, NSET=X1\n{}\n\
+                     *STEP, NLGEOM\n*STATIC\n0.5, 1.0\n*BOUNDARY\n1, 1, 2\n2, 2\n{}X1, 1, 1, {strain:e}\n*END STEP\n",
+                    if kind == "CPS4" { "2, 3" } else { "2" },
+                    if kind == "CPS4" { "4, 1\n" } else { "" },
+                );
+                let files = run(&format!("small-{number}-{kind}"), &read(&text, Dialect::Abaqus));
+                let table = files(".history.csv");
+                let mut lines = table.lines();
+                let column = lines.next().unwrap().split(',').position(|own| own == "RF1").unwrap();
+                let last = lines.next_back().unwrap().split(',').nth(2).unwrap().to_owned();
+                let rows = table.lines().filter(|row| row.split(',').nth(2) == Some(last.as_str()));
+                let ends = rows.filter(|row| matches!(row.split(',').nth(3), Some("2" | "3")));
+                let pull: f64 = ends
+                    .map(|row| row.split(',').nth(column).unwrap().parse::<f64>().unwrap())
+                    .sum();
+                // chains are stiffer than their first term: 1 + 3/(5 l^2) + 99/(175 l^4) + ...
+                let first = [1.0 + 0.6 / 25.0 + 99.0 / 175.0 / 625.0, 1.0][number];
+                let (shear, bulk) = (300.0 * first, 1000.0);
+                let modulus = 9.0 * bulk * shear / (3.0 * bulk + shear);
+                let off = (pull / (modulus * strain) - 1.0).abs();
+                assert!(off < 2.0 * strain.abs() + 1e-4, "{law} {kind} {strain}: {pull}");
+            }
+        }
+    }
+    for stress in ["0.1", "1e-4"] {
+        let law = "*HYPERELASTIC, ARRUDA-BOYCE\n300., 3., .002\n";
+        let text = deck(law, "X1, 1\n").replace(
+            "*STEP, NLGEOM",
+            &format!(
+                "*INITIAL CONDITIONS, TYPE=STRESS\nE, {stress}, 0., 0., 0., 0., 0.\n*STEP, NLGEOM"
+            ),
+        );
+        run("initial-chains", &read(&text, Dialect::Abaqus));
+    }
+}
