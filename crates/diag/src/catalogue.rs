@@ -208,7 +208,7 @@ catalogue! {
     "SL0429" "nodes tied one by one where meshes do not match"
     "SL0430" "a tie across a gap that turns far"
     "SL0431" "a master in several pieces"
-    "SL0432" "the weight of beams beside their centroid"
+    "SL0432" "a load of beams beside their centroid"
     "SL0501" "no convergence, cause unknown"
     "SL0502" "the limit of increments was reached"
     "SL0503" "a motion without resistance"

@@ -42,7 +42,8 @@ pub(super) fn absolute(draft: &mut Draft) {
         given.filter(|own| is_absolute(own.1)).for_each(|(value, _)| *value = 1.0);
         for line in step.temperatures.iter_mut().filter(|line| is_absolute(&line.amplitude)) {
             line.temperature.value = 1.0;
-            sloped.extend(line.slope);
+            let other = line.other_slope.filter(|_| line.temperature.slopes[1] != 0.0);
+            sloped.extend(line.slope.or(other));
         }
     }
     for span in sloped {

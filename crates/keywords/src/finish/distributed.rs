@@ -243,9 +243,6 @@ fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((us
     let x = places(&nodes, draft);
     let (thickness, mass) = section(index, draft).unwrap_or((1.0, Mass::default()));
     let density = needed_density((&mass, row), &nodes, line, draft)?;
-    if let Some(section) = section_of(index, draft).filter(|_| is_weight(kind)).cloned() {
-        line_loads::weighs_beside(&section, line, draft);
-    }
     if let Some(why) = leaves(kind, row, draft.dialect).filter(|_| row.joins()) {
         refuse(why, row.name(), row.is_ring(), line, draft);
         return None;
@@ -260,6 +257,12 @@ fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((us
     let thickness = if ring { 2.0 * std::f64::consts::PI } else { thickness };
     let weighted = |at: [f64; 3]| body(at).map(|force| if ring { at[0] * force } else { force });
     let is_line = line_loads::takes_loads(row);
+    if is_line && density > 0.0 {
+        let own_axis = draft.first_axes.get(&index).copied();
+        if let Some(section) = section_of(index, draft).cloned() {
+            line_loads::acts_beside((&section, own_axis), &x, (row, along), line, draft);
+        }
+    }
     let forces = match kind {
         _ if is_line => Some(line_loads::spread(kind, thickness, &x, body)),
         Kind::Line(_) => None,
@@ -300,7 +303,8 @@ fn needed_density(
     let everything = matches!(&line.on, On::Elements(Target::Set(set), _) if set.is_empty());
     let found = mass.density.or_else(|| density(&mass.material, nodes, draft));
     match found {
-        Some(density) => weigh((&mass.material, density), line, draft),
+        Some(density) if mass.density.is_none() => weigh((&mass.material, density), line, draft),
+        Some(_) => {}
         None if everything || !row.joins() => {}
         None => {
             let message = match mass.material.is_empty() {

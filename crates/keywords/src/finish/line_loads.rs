@@ -2,8 +2,9 @@
 
 use slideline_diag::{Code, Diagnostic};
 use slideline_mech::element::space_beam::section_axes;
+use slideline_mech::vector::{add, cross, scale, size, sub};
 use slideline_mech::volume;
-use slideline_model::{Dialect, ElementType, Kinematics, NodeIndex};
+use slideline_model::{Dialect, ElementType, Kinematics, NodeIndex, Shape};
 
 use crate::distributed::{Distributed, Kind};
 use crate::draft::{Body, Draft, Section};
@@ -34,24 +35,55 @@ fn unit(axis: usize) -> [f64; 3] {
     std::array::from_fn(|k| if k == axis { 1.0 } else { 0.0 })
 }
 
-/// Part of the size of a section by which its centroid must be off its nodes to be told [1]. (choice)
+/// Part of the size of a section by which its centroid must be off its nodes, and sine of the angle between that way and the load, to
+/// be told [1]. (choice)
 const OFF: f64 = 1e-6;
 
-/// Warns that the mass of beams is taken at their nodes where their centroid is elsewhere: its moment is left out.
-pub(super) fn weighs_beside(section: &Section, line: &Distributed, draft: &mut Draft) {
-    let Body::Beam { shape, .. } = &section.body else { return };
-    let [x1, x2] = shape.centroid();
-    let off = x1.hypot(x2);
-    let is_off = off > OFF * shape.area().sqrt();
-    if !is_off || !draft.log.first_time(&format!("weight of {}", section.set)) {
+/// Warns that forces per volume on a beam at `x` [L] act at its nodes where its centroid is elsewhere and they have a moment, or
+/// another size, there.
+pub(super) fn acts_beside(
+    (section, own_axis): (&Section, Option<[f64; 3]>),
+    x: &[[f64; 3]],
+    (row, along): (&ElementType, Option<usize>),
+    line: &Distributed,
+    draft: &mut Draft,
+) {
+    let Body::Beam { shape, first_axis, .. } = &section.body else { return };
+    let first_axis = own_axis.unwrap_or(*first_axis);
+    let Some(off) = to_centroid(x, (row, first_axis), shape) else { return };
+    let has_moment = |pull: [f64; 3]| size(cross(off, pull)) > OFF * size(off) * size(pull);
+    let left_out = match line.kind {
+        Kind::Gravity(direction) if has_moment(direction) => "its moment is left out",
+        Kind::Body(_) if has_moment(along.map_or([0.0; 3], unit)) => "its moment is left out",
+        Kind::Centrifugal(..) => "its other distance from the axis and its moment are left out",
+        _ => return,
+    };
+    let is_off = size(off) > OFF * shape.area().sqrt() && line.value != 0.0;
+    if !is_off || !draft.log.first_time(&format!("beside the nodes of {}", section.set)) {
         return;
     }
     let message = format!(
-        "the mass of the beams of {} acts at their nodes here, not at their centroid, which is {off:.4e} away: its moment is left out",
-        section.set
+        "this load acts at the nodes of the beams of {}, not at their centroid, which is {:.4e} away: {left_out}",
+        section.set,
+        size(off)
     );
-    let help = "put the nodes on the centroid and join them to the rest with *MPC BEAM, or give the moments with *CLOAD";
+    let help = "put the nodes on the centroid: describe the section about it, and join the nodes to the rest with *MPC BEAM";
     draft.log.push(Diagnostic::warning(Code("SL0432"), message).at(line.origin).help(help));
+}
+
+/// The way from the nodes of a beam to its centroid [L], in the plane along its normal; `None` where its section has no axes.
+fn to_centroid(
+    x: &[[f64; 3]],
+    (row, first_axis): (&ElementType, [f64; 3]),
+    shape: &Shape,
+) -> Option<[f64; 3]> {
+    let [x1, x2] = shape.centroid();
+    let way = sub(*x.last()?, *x.first()?);
+    if row.is_beam() {
+        return Some(scale([-way[1], way[0], 0.0], x2 / size(way)));
+    }
+    let [_, first, second] = section_axes(way, first_axis)?;
+    Some(add(scale(first, x1), scale(second, x2)))
 }
 
 /// Forces of a unit force per length along axis 1 or 2 of the section of a beam; `None`, with a

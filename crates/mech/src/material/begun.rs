@@ -55,6 +55,16 @@ impl Material {
         })
     }
 
+    /// Largest strain with which a point of this `state` begins, [1]: zero where it begins free of stress.
+    pub fn strained_before(&self, state: &[f64]) -> f64 {
+        match self {
+            Self::Prestressed(_) => {
+                parted(state)[0].iter().fold(0.0, |most, own| most.max(own.abs()))
+            }
+            _ => 0.0,
+        }
+    }
+
     /// How many families of fibres it has.
     pub fn families(&self) -> usize {
         match self {

@@ -80,6 +80,7 @@ pub(super) fn before(
         return Some(strain);
     }
     let moduli = law(&full(&strain)).moduli;
+    let stiffest = moduli.as_flattened().iter().fold(0.0_f64, |most, own| most.max(own.abs()));
     for _ in 0..MOST {
         let gradient = full(&strain);
         let share = if large { 1.0 / (1.0 + dilation(&gradient)) } else { 1.0 };
@@ -88,7 +89,10 @@ pub(super) fn before(
         if !missing.iter().all(|own| own.is_finite()) {
             return None;
         }
-        if missing.iter().all(|own| own.abs() <= ROUNDINGS * f64::EPSILON * largest) {
+        // a small stress can be the difference of large ones: of volume and of shape in next to incompressible rubber
+        let strained = strain.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
+        let made = largest + stiffest * strained;
+        if missing.iter().all(|own| own.abs() <= ROUNDINGS * f64::EPSILON * made) {
             return Some(strain);
         }
         let step = solve(moduli, missing)?;

@@ -51,6 +51,7 @@ impl Material {
         let energy = f64::NAN;
         let nothing = Uniaxial { stress: 0.0, modulus: 0.0, energy, dissipation: 0.0, across };
         let Some((after, [kept])) = state.split_at_mut_checked(own) else { return nothing };
+        let least = self.strained_before(before);
         for _ in 0..MOST {
             let gradient = [[stretch, 0.0, 0.0], [0.0, across, 0.0], [0.0, 0.0, across]];
             let answer = self.respond(&gradient, under, before, after);
@@ -58,7 +59,8 @@ impl Material {
             let twice = if under.large { 2.0 } else { 0.0 };
             let c = &answer.moduli;
             let resists = c[1][1] + c[1][2] + twice * off;
-            let made = along.abs().max(off.abs()) + resists.abs() * stretch.abs().max(across.abs());
+            let strained = stretch.abs().max(across.abs()).max(least);
+            let made = along.abs().max(off.abs()) + resists.abs() * strained;
             if off.abs() <= ROUNDINGS * f64::EPSILON * made {
                 *kept = across;
                 let modulus = c[0][0] + twice * along - (c[0][1] + c[0][2]) * c[1][0] / resists;

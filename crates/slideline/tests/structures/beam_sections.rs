@@ -349,3 +349,32 @@ fn sections_with_moduli_of_their_own_weigh() {
         }
     }
 }
+
+/// Requirement: what acts at the nodes of beams beside their centroid is told where that makes a difference: a weight across the way to the
+/// centroid, not one along it, turning, forces per volume; nothing where there is no mass or no load.
+#[test]
+fn loads_beside_the_centroid_are_told() {
+    let deck = |density: &str, load: &str| {
+        format!(
+            "*NODE\n1, 0., 0., 0.\n2, 2., 0., 0.\n*ELEMENT, TYPE=B31, ELSET=BEAM\n1, 1, 2\n\
+             *BEAM SECTION, SECTION=I, ELSET=BEAM, MATERIAL=M\n0., .4, .2, .2, .02, .02, .02\n0., 1., 0.\n*MATERIAL, NAME=M\n\
+             *ELASTIC\n1e9, .25\n*DENSITY\n{density}\n*BOUNDARY\n1, 1, 6\n*STEP\n*STATIC\n*DLOAD\nBEAM, {load}\n*END STEP\n"
+        )
+    };
+    for (density, load, told) in [
+        ("2.", "GRAV, 10., 0., 0., -1.", false),
+        ("2.", "GRAV, 10., 0., -1., 0.", true),
+        ("2.", "GRAV, 10., 1., 0., 0.", true),
+        ("2.", "GRAV, 0., 0., -1., 0.", false),
+        ("0.", "GRAV, 10., 0., -1., 0.", false),
+        ("2.", "CENTRIF, 10., 0., 0., 0., 1., 0., 0.", true),
+        ("2.", "BZ, 10.", false),
+        ("2.", "BY, 10.", true),
+        ("2.", "PY, 10.", false),
+    ] {
+        let read = Job::read_text("sections", &deck(density, load), &ReadOptions::default());
+        assert!(read.model.is_some(), "{:#?}", read.diagnostics);
+        let said = read.diagnostics.iter().any(|own| own.code.0 == "SL0432");
+        assert_eq!(said, told, "{density} {load}: {:#?}", read.diagnostics);
+    }
+}

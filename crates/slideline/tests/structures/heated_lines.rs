@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may fail where it stands
 
 use crate::heat::run;
+use slideline::{Job, ReadOptions};
 use std::fmt::Write as _;
 
 const EXPANSION: f64 = 2e-3;
@@ -233,6 +234,22 @@ fn slopes_bend_beams_in_space() {
     }
     let curvature = 2.0 * 1e-7 * 100.0 * 30.0;
     assert!((alone[2] - 0.5 * curvature * 4.0).abs() < 1e-12 * curvature, "{alone:?}");
+}
+
+/// Requirement: a slope along either axis with an amplitude that is absolute is refused: one number cannot be both. That along axis 1 was
+/// taken times it.
+#[test]
+fn slopes_follow_no_absolute_amplitude() {
+    for (line, refused) in
+        [("10.", false), ("10., 0., 0.", false), ("10., 5.", true), ("10., 0., 30.", true)]
+    {
+        let text = sloped("B31", [0.3, 0.6], "0, 0, -1", line)
+            .replace("*STEP", "*AMPLITUDE, NAME=A, VALUE=ABSOLUTE\n0., 1., 1., 2.\n*STEP")
+            .replace("*TEMPERATURE", "*TEMPERATURE, AMPLITUDE=A");
+        let read = Job::read_text("slopes", &text, &ReadOptions::default());
+        let said = read.diagnostics.iter().any(|own| own.code.0 == "SL0221");
+        assert_eq!(said, refused, "{line}: {:#?}", read.diagnostics);
+    }
 }
 
 /// Requirement: a free beam in space whose nodes are not its centroid bends by slopes about both axes without forces, as long as

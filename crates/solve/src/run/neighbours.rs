@@ -25,6 +25,7 @@ use crate::state::PointState;
 use crate::tangent::{self, Kept};
 use increment::{Found, Linear, Pair};
 use slideline_linalg::{SolveError, Solver};
+use slideline_model::ElementBlock;
 use std::cell::OnceCell;
 use std::ops::ControlFlow;
 use told::{AlongRates, OfNeighbours, Shown};
@@ -179,7 +180,13 @@ impl Increment<'_> {
 
     /// Whether what follows owes nothing to the branches that were taken so far.
     fn forgets(&self) -> bool {
-        self.plan.contact.laws.iter().all(|own| !own.has_friction()) && self.new.elements.is_empty()
+        let slides = self.plan.contact.laws.iter().all(|own| !own.has_friction());
+        slides && !self.remembers()
+    }
+
+    /// Whether the way to a state of elements is part of it.
+    fn remembers(&self) -> bool {
+        self.model.blocks.iter().any(ElementBlock::remembers)
     }
 
     /// Differentiates by a parameter with four neighbours: where contact is spread over faces or

@@ -207,9 +207,15 @@ impl Bend {
     }
 }
 
-/// The bend of histories of elements, of reactions, of which those below `least_force` are
-/// rounding, and of energies [1].
-pub fn bend(states: &[State; 4], base: &State, steps: (f64, f64), least_force: f64) -> f64 {
+/// The bend of histories of elements where these remember, of reactions, of which those below `least_force` are
+/// rounding, and of energies [1]. What elements store that remember nothing follows from displacements, and is rounding in a part that
+/// only moves.
+pub fn bend(
+    states: &[State; 4],
+    (base, remembers): (&State, bool),
+    steps: (f64, f64),
+    least_force: f64,
+) -> f64 {
     let least_energy = least_force * base.displacement.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
     let [a, b, c, d] = states;
     let all = [a, b, base, c, d];
@@ -219,7 +225,7 @@ pub fn bend(states: &[State; 4], base: &State, steps: (f64, f64), least_force: f
         [stored, [energy.friction_dissipation, energy.material_dissipation, 0.0]]
     });
     let lists = [
-        (all.map(|own| &own.elements[..]), 0.0),
+        (all.map(|own| if remembers { &own.elements[..] } else { &[] }), 0.0),
         (all.map(|own| &own.reaction[..]), least_force),
         (energies.each_ref().map(|own| own.as_flattened()), least_energy),
     ];

@@ -35,6 +35,7 @@ pub(super) fn ask(
     let (before, after) = (&committed[..own.min(committed.len())], state.split_at_mut_checked(own));
     let (after, rest) = after?;
     let [across] = rest else { return None };
+    let least = NO_STRAIN + material.material.strained_before(before);
     gradient[2][2] = first_guess(material, gradient, under, committed.get(own).copied());
     for _ in 0..MOST {
         let answer = material.respond(gradient, under, before, after);
@@ -43,7 +44,7 @@ pub(super) fn ask(
         let modulus = answer.moduli[2][2] + if under.large { 2.0 * stress } else { 0.0 };
         let step = -stress / modulus;
         let size = answer.stress.iter().fold(0.0_f64, |size, s| size.max(s.abs()));
-        let largest = gradient.as_flattened().iter().fold(NO_STRAIN, |most, h| most.max(h.abs()));
+        let largest = gradient.as_flattened().iter().fold(least, |most, h| most.max(h.abs()));
         let made = modulus.abs() * largest + size;
         if !step.is_finite() {
             return None;
