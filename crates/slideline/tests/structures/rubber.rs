@@ -268,6 +268,7 @@ fn small_strains_of_chains() {
                 "*INITIAL CONDITIONS, TYPE=STRESS\nE, {stress}, 0., 0., 0., 0., 0.\n*STEP, NLGEOM"
             ),
         );
-        run("initial-chains", &read(&text, Dialect::Abaqus));
+        let files = run("initial-chains", &read(&text, Dialect::Abaqus));
+        assert!(files(".history.csv").lines().count() > 1);
     }
 }
