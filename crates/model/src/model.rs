@@ -125,6 +125,11 @@ impl Model {
         self.steps.iter().any(|step| !step.presence.is_whole())
     }
 
+    /// Whether the way to a state of its elements is part of it, see [`ElementBlock::remembers`].
+    pub fn remembers(&self) -> bool {
+        self.blocks.iter().any(ElementBlock::remembers)
+    }
+
     /// Whether its nodes move in space, not in a plane alone.
     pub fn is_in_space(&self) -> bool {
         let outside = |block: &ElementBlock| block.dofs().iter().any(|dof| !dof.is_plane());

@@ -259,7 +259,8 @@ fn on_volume(index: usize, line: &Distributed, draft: &mut Draft) -> Option<((us
     let is_line = line_loads::takes_loads(row);
     if is_line && density > 0.0 {
         let own_axis = draft.first_axes.get(&index).copied();
-        if let Some(section) = section_of(index, draft).cloned() {
+        let beside = section_of(index, draft).filter(|own| line_loads::is_beside(own)).cloned();
+        if let Some(section) = beside {
             line_loads::acts_beside((&section, own_axis), &x, (row, along), line, draft);
         }
     }

@@ -39,8 +39,19 @@ fn unit(axis: usize) -> [f64; 3] {
 /// be told [1]. (choice)
 const OFF: f64 = 1e-6;
 
-/// Warns that forces per volume on a beam at `x` [L] act at its nodes where its centroid is elsewhere and they have a moment, or
-/// another size, there.
+/// Whether the centroid of a section is not at the nodes of its beams.
+pub(super) fn is_beside(section: &Section) -> bool {
+    match &section.body {
+        Body::Beam { shape, .. } => {
+            let [x1, x2] = shape.centroid();
+            x1.hypot(x2) > OFF * shape.area().sqrt()
+        }
+        Body::Solid { .. } => false,
+    }
+}
+
+/// Warns that forces per volume on a beam at `x` [L] act at its nodes where its centroid, which is beside these, gives them a
+/// moment or another size.
 pub(super) fn acts_beside(
     (section, own_axis): (&Section, Option<[f64; 3]>),
     x: &[[f64; 3]],
@@ -58,8 +69,10 @@ pub(super) fn acts_beside(
         Kind::Centrifugal(..) => "its other distance from the axis and its moment are left out",
         _ => return,
     };
-    let is_off = size(off) > OFF * shape.area().sqrt() && line.value != 0.0;
-    if !is_off || !draft.log.first_time(&format!("beside the nodes of {}", section.set)) {
+    if line.value == 0.0
+        || size(off) == 0.0
+        || !draft.log.first_time(&format!("beside the nodes of {}", section.set))
+    {
         return;
     }
     let message = format!(
@@ -71,19 +84,23 @@ pub(super) fn acts_beside(
     draft.log.push(Diagnostic::warning(Code("SL0432"), message).at(line.origin).help(help));
 }
 
-/// The way from the nodes of a beam to its centroid [L], in the plane along its normal; `None` where its section has no axes.
+/// The way from the nodes of a beam to its centroid [L]; `None` where its section has no axes.
 fn to_centroid(
     x: &[[f64; 3]],
     (row, first_axis): (&ElementType, [f64; 3]),
     shape: &Shape,
 ) -> Option<[f64; 3]> {
     let [x1, x2] = shape.centroid();
-    let way = sub(*x.last()?, *x.first()?);
-    if row.is_beam() {
-        return Some(scale([-way[1], way[0], 0.0], x2 / size(way)));
-    }
-    let [_, first, second] = section_axes(way, first_axis)?;
+    let [first, second] = axes(sub(*x.last()?, *x.first()?), (row, first_axis))?;
     Some(add(scale(first, x1), scale(second, x2)))
+}
+
+/// Axes 1 and 2 of the section of a beam along a way; `None`: it has none. In the plane axis 1 points into it, and counts for nothing.
+fn axes(way: [f64; 3], (row, first_axis): (&ElementType, [f64; 3])) -> Option<[[f64; 3]; 2]> {
+    if row.is_beam() {
+        return Some([[0.0; 3], scale([-way[1], way[0], 0.0], 1.0 / size(way))]);
+    }
+    section_axes(way, first_axis).map(|[_, first, second]| [first, second])
 }
 
 /// Forces of a unit force per length along axis 1 or 2 of the section of a beam; `None`, with a
@@ -111,10 +128,7 @@ pub(super) fn across(
     let Body::Beam { first_axis, .. } = section.body else { return None };
     let first_axis = own_axis.unwrap_or(first_axis);
     let x: Vec<[f64; 3]> = nodes.iter().map(|&node| draft.model.nodes.position(node)).collect();
-    // a section without axes has been complained of; in the plane axis 1 points into the plane
-    let along = |t: [f64; 3]| match row.is_beam() {
-        true => [-t[1], t[0], 0.0],
-        false => section_axes(t, first_axis).map_or([0.0; 3], |axes| axes[1 + axis]),
-    };
+    // a section without axes has been complained of
+    let along = |t: [f64; 3]| axes(t, (row, first_axis)).map_or([0.0; 3], |own| own[axis]);
     Some(volume::spread_along(&x, |_, t| along(t)))
 }

@@ -90,14 +90,13 @@ impl BeamHeat {
         now: Temperature,
         initial: Temperature,
     ) -> BeamStrains {
-        let gyration = (section.bending / section.axial).sqrt();
-        let [below, above] = [-gyration, gyration].map(|from_centroid| {
+        let (mean, growth) = of_two_fibres(section.bending / section.axial, |from_centroid| {
             let y = section.centroid + from_centroid;
             let [now, before] = [now, initial].map(|at| at.value + y * at.slopes[0]);
             self.strain(now, before)
         });
-        let curvature = 0.5 * (below - above) / gyration;
-        let axial = 0.5 * (below + above) + section.centroid * curvature;
+        let curvature = -growth;
+        let axial = mean + section.centroid * curvature;
         BeamStrains { axial, shear: 0.0, curvature }
     }
 
@@ -118,20 +117,26 @@ impl BeamHeat {
         // along axis 2 bends about axis 1, along axis 1 about axis 2
         let [(mean_2, first), (mean_1, second)] =
             [(1, about_1), (0, about_2)].map(|(axis, bending)| {
-                let gyration = (bending / section.axial).sqrt();
-                let [below, above] = [-gyration, gyration].map(|from_centroid| {
+                of_two_fibres(bending / section.axial, |from_centroid| {
                     let mut at = centroid;
                     at[axis] += from_centroid;
                     grown(at)
-                });
-                let slope = if gyration > 0.0 { 0.5 * (above - below) / gyration } else { 0.0 };
-                (0.5 * (below + above), slope)
+                })
             });
         let curvatures = [first, -second];
         let mean = mean_1 + mean_2 - grown(centroid);
         let axial = mean - curvatures[0] * centroid[1] + curvatures[1] * centroid[0];
         [axial, 0.0, 0.0, 0.0, curvatures[0], curvatures[1]]
     }
+}
+
+/// Mean strain of two fibres at the radius of gyration on both sides of the centroid, by its square [L2], and growth of the strain from
+/// one to the other [1/L]: docs/theory.md eq. (3.63). A section without extent has none.
+fn of_two_fibres(square: f64, strain: impl Fn(f64) -> f64) -> (f64, f64) {
+    let gyration = square.sqrt();
+    let [below, above] = [-gyration, gyration].map(strain);
+    let growth = if gyration > 0.0 { 0.5 * (above - below) / gyration } else { 0.0 };
+    (0.5 * (below + above), growth)
 }
 
 /// What nodes with those shares make of their temperatures.

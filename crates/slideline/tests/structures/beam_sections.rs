@@ -378,3 +378,26 @@ fn loads_beside_the_centroid_are_told() {
         assert_eq!(said, told, "{density} {load}: {:#?}", read.diagnostics);
     }
 }
+
+/// Requirement: sections with moduli of their own that expand are not told to expand in nothing (SL0253); one that weighs without a density
+/// is told to give one, by its own name (SL0309).
+#[test]
+fn sections_with_moduli_of_their_own_expand() {
+    let deck = |expansion: &str, load: &str| {
+        format!(
+            "*NODE, NSET=ALL\n1, 0., 0., 0.\n2, 2., 0., 0.\n*ELEMENT, TYPE=B31, ELSET=BEAM\n1, 1, 2\n\
+             *BEAM GENERAL SECTION, SECTION=RECT, ELSET=BEAM\n.2, .3\n0., 0., -1.\n1000., 400.{expansion}\n\
+             *BOUNDARY\n1, 1, 6\n*STEP\n*STATIC\n{load}*END STEP\n"
+        )
+    };
+    let heat = "*TEMPERATURE\nALL, 10.\n";
+    let said = |text: &str, code: &str| {
+        let read = Job::read_text("sections", text, &ReadOptions::default());
+        read.diagnostics.iter().find(|own| own.code.0 == code).map(|own| own.message.clone())
+    };
+    assert!(said(&deck("", heat), "SL0253").is_some());
+    assert_eq!(said(&deck(", 1e-4", heat), "SL0253"), None);
+    near(tip(&run(&deck(", 1e-4", heat)))[0], 1e-4 * 10.0 * 2.0, 1e-15);
+    let weight = said(&deck("", "*DLOAD\nBEAM, GRAV, 10., 0., -1., 0.\n"), "SL0309");
+    assert_eq!(weight.as_deref(), Some("the section has no DENSITY for this load"));
+}

@@ -25,7 +25,6 @@ use crate::state::PointState;
 use crate::tangent::{self, Kept};
 use increment::{Found, Linear, Pair};
 use slideline_linalg::{SolveError, Solver};
-use slideline_model::ElementBlock;
 use std::cell::OnceCell;
 use std::ops::ControlFlow;
 use told::{AlongRates, OfNeighbours, Shown};
@@ -180,13 +179,8 @@ impl Increment<'_> {
 
     /// Whether what follows owes nothing to the branches that were taken so far.
     fn forgets(&self) -> bool {
-        let slides = self.plan.contact.laws.iter().all(|own| !own.has_friction());
-        slides && !self.remembers()
-    }
-
-    /// Whether the way to a state of elements is part of it.
-    fn remembers(&self) -> bool {
-        self.model.blocks.iter().any(ElementBlock::remembers)
+        let frictionless = self.plan.contact.laws.iter().all(|own| !own.has_friction());
+        frictionless && !self.model.remembers()
     }
 
     /// Differentiates by a parameter with four neighbours: where contact is spread over faces or

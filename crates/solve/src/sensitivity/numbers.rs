@@ -6,6 +6,7 @@ use Numbers::{Moving, Still};
 use slideline_mech::contact::pair::Footing;
 use slideline_mech::element::Temperature;
 use slideline_mech::turn::Turn;
+use slideline_model::Model;
 use std::ops::Range;
 use std::slice::from_mut;
 
@@ -207,12 +208,11 @@ impl Bend {
     }
 }
 
-/// The bend of histories of elements where these remember, of reactions, of which those below `least_force` are
-/// rounding, and of energies [1]. What elements store that remember nothing follows from displacements, and is rounding in a part that
-/// only moves.
+/// The bend of histories of the elements that remember, of reactions, of which those below `least_force` are
+/// rounding, and of energies [1]. What other elements store follows from displacements, and is rounding in a part that only moves.
 pub fn bend(
     states: &[State; 4],
-    (base, remembers): (&State, bool),
+    (base, model): (&State, &Model),
     steps: (f64, f64),
     least_force: f64,
 ) -> f64 {
@@ -225,10 +225,18 @@ pub fn bend(
         [stored, [energy.friction_dissipation, energy.material_dissipation, 0.0]]
     });
     let lists = [
-        (all.map(|own| if remembers { &own.elements[..] } else { &[] }), 0.0),
         (all.map(|own| &own.reaction[..]), least_force),
         (energies.each_ref().map(|own| own.as_flattened()), least_energy),
     ];
+    let mut histories = Bend::default();
+    let mut first = 0;
+    for block in &model.blocks {
+        let own = first..first + block.states() * block.elements.len();
+        first = own.end;
+        if block.remembers() {
+            own.for_each(|i| histories.note(all.map(|state| state.elements[i])));
+        }
+    }
     let of = lists.map(|(of, least)| {
         let mut bend = Bend::default();
         for i in 0..of[2].len() {
@@ -236,7 +244,7 @@ pub fn bend(
         }
         bend.of_rates(steps, least)
     });
-    of.into_iter().fold(0.0, f64::max)
+    of.into_iter().fold(histories.of_rates(steps, 0.0), f64::max)
 }
 
 /// How many numbers of a state are lists of all dofs.

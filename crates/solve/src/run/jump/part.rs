@@ -7,7 +7,6 @@ use crate::newton::{Scratch, attempt};
 use crate::problem::Problem;
 use crate::state::State;
 use crate::target::Target;
-use slideline_model::ElementBlock;
 
 /// How near a limit is walked up to, as a part of what was to be halved.
 const SHORTEST: f64 = 1.0 / 256.0;
@@ -125,7 +124,7 @@ impl Part {
     /// the way leaves behind stands between them and both halves leave what a smooth path leaves.
     fn known_half(&self, plan: &Problem<'_>, first: &Self, work: &mut Scratch) -> Option<Self> {
         let (middle, end) = (&first.to, &self.to);
-        let forgets = !plan.model.blocks.iter().any(ElementBlock::remembers);
+        let forgets = !plan.model.remembers();
         let apart = |state: &&State| {
             state.temperatures.is_empty() && state.points.iter().all(|point| !point.closed)
         };

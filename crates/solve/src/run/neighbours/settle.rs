@@ -85,7 +85,7 @@ impl Increment<'_> {
         }
         let is_both = weights.base == 0.0;
         let bend = match is_both {
-            true => bend(&room.after, (self.new, self.remembers()), (h, scale), room.least_force)
+            true => bend(&room.after, (self.new, self.model), (h, scale), room.least_force)
                 .max(room.bend_of_forces(self.plan, linear.base, (h, scale))),
             false => 0.0,
         };
